@@ -32,7 +32,7 @@
 //! `branch.rs` has the linear equation between two events and the proof of the certificate, `first_passage.rs` the search for a
 //! guard's first zero, `next_branch.rs` the choice of the next branch, `dependent.rs` what contacts with dependent directions
 //! can hold, `follow.rs` the motion from event to event, `events.rs` what watches it,
-//! `grid.rs` many systems on all cores, `motion.rs` its answers, `steady.rs` the long run, `self_excited.rs` that without a load, and `border.rs` the closed form for one contact.
+//! `grid.rs` many systems on all cores, `motion.rs` its answers, `steady.rs` the long run, `self_excited.rs` that without a load, `sliding.rs` the stability of steady sliding, and `border.rs` the closed form for one contact.
 
 mod assembly;
 mod border;
@@ -60,6 +60,7 @@ mod period_map;
 mod propagator;
 mod rate;
 mod self_excited;
+mod sliding;
 mod steady;
 
 use crate::float::Float;
@@ -76,6 +77,7 @@ pub use events::{Event, EventKind};
 pub use grid::solve_each;
 pub use model::{Base, Element, Harmonic, Kind, Law, Model, Normal, Record, Signal, State};
 pub use motion::{ElementMotion, Motion};
+pub use sliding::{GREATEST_COEFFICIENT, Sliding, SlidingThreshold};
 pub use steady::{Steady, SteadyKind};
 
 /// A checked system, ready to move.

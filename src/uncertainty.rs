@@ -82,7 +82,8 @@ mod ratios;
 mod samples;
 
 pub use estimate::Estimate;
-pub(crate) use estimate::student;
+
+pub(crate) use estimate::{student, student_95};
 pub use parameters::{ParameterBox, Parameters};
 #[cfg(feature = "random")]
 pub use random::MonteCarlo;

@@ -330,6 +330,7 @@ struct IdentifyAnswer {
     phase_kind: Option<PhaseKind>,
     better_phase: Option<PhaseKind>,
     better_reading: Option<BetterReading>,
+    search_is_complete: bool,
     suspects: Vec<Suspect>,
     residuals: Vec<f64>,
     phase_residuals: Vec<Option<f64>>,
@@ -367,6 +368,7 @@ impl IdentifyAnswer {
             phase_kind: found.phase,
             better_phase: found.better_phase,
             better_reading: found.better.map(|(amplitude, noise)| BetterReading { amplitude, noise }),
+            search_is_complete: found.search_is_complete,
             suspects,
             residuals: found.residuals.iter().map(|r| r.amplitude).collect(),
             phase_residuals: found.residuals.iter().map(|r| r.phase).collect(),
@@ -405,6 +407,10 @@ impl IdentifyAnswer {
                 "The phases look like {0} values: --phase {0} fits significantly better.",
                 kind.name()
             ));
+        }
+        if !self.search_is_complete {
+            let text = "The search for other minima was cut short by the bound on its work: the answer is the best one it found.";
+            remarks.push(text.to_owned());
         }
         if !self.suspects.is_empty() {
             let part = |s: &Suspect| match (s.amplitude, s.phase) {

@@ -213,7 +213,7 @@ fn bands(
 }
 
 /// Friction, greatest amplitude, the ranges of frequency that have it, the kind of optimum, and the friction at rest.
-type FoundFriction = (f64, f64, Vec<(f64, f64)>, &'static str, f64);
+type FoundFriction = (f64, f64, Vec<(f64, f64)>, &'static str, f64, Option<f64>);
 
 /// The friction force with the least greatest amplitude over a band: friction, greatest amplitude, the frequencies that
 /// have it, the kind, and the friction at which the body rests in the whole band.
@@ -232,7 +232,7 @@ fn best_friction_over(
     let body = body(of).map_err(refused)?;
     let work = move || design::best_friction_over_band(&body, &drive, low..=high, aim);
     let found = left_behind(py, work)?.map_err(refused)?;
-    Ok((found.friction, found.greatest, found.at, found.kind.name(), found.rest))
+    Ok((found.friction, found.greatest, found.at, found.kind.name(), found.rest, found.up_to))
 }
 
 /// Friction displacement and damping ratio from a free decay: of samples, or of turning points in every cycle or half
@@ -370,6 +370,7 @@ fn identify<'py>(
     dict.set_item("suspect", residuals.iter().map(|r| r.is_suspect()).collect::<Vec<_>>())?;
     dict.set_item("stops", residuals.iter().map(|r| r.stops).collect::<Vec<_>>())?;
     dict.set_item("phase_kind", found.phase.map(PhaseKind::name))?;
+    dict.set_item("search_is_complete", found.search_is_complete)?;
     dict.set_item("better_amplitude_kind", found.better.map(|(kind, _)| kind.name()))?;
     Ok(dict)
 }

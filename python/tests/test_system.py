@@ -162,6 +162,21 @@ def test_a_file_names_and_matrices_are_one_system(machine):
     np.testing.assert_allclose(file.natural_angular_frequencies("bearing"), [np.sqrt(600)], rtol=1e-12)
 
 
+def test_two_modes_couple_over_a_belt():
+    pad = {"type": "contact", "direction": [1, 0], "friction": 0.84, "belt": 5}
+    pad["normal"] = {"const": 1, "displacement": [0, -3]}
+    stiffness, damping = np.array([[7.0, -2], [-2, 5]]), 0.02 * np.eye(2)
+    system = ss.System(mass=np.eye(2), damping=damping, stiffness=stiffness, elements=[pad])
+    found = system.sliding()
+    own = stiffness + np.array([[0, 3 * 0.84], [0, 0]])
+    roots = np.linalg.eigvals(np.block([[np.zeros((2, 2)), np.eye(2)], [-own, -damping]]))
+    np.testing.assert_allclose(found["growth"], roots.real.max(), rtol=1e-9)
+    np.testing.assert_allclose(system.natural_frequencies(), np.sqrt(np.linalg.eigvals(own + 0j)).real, rtol=1e-9)
+    # The product of the entries beside the diagonal is −1 at 5/6 without dampers.
+    np.testing.assert_allclose(found["threshold"]["coefficient"], 5 / 6 + 0.0004, rtol=1e-9)
+    assert found["threshold"]["kind"] == "flutter" and by_names().sliding() is None
+
+
 def test_the_motion_between_events_is_that_of_an_integration():
     scipy = pytest.importorskip("scipy.integrate")
     system = by_matrices()

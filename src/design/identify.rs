@@ -17,6 +17,7 @@
 //! | whether the fit explains more than one amplitude for all frequencies does | `explained` |
 //! | the same with each reading of the phases, of which the one that explains most is taken | here |
 //! | the fit with other readings of amplitudes and phases, which may be better | here |
+//! | lower valleys of the sum of squares, and the parameters that cannot be told apart | `valleys` |
 //! | the fit with the natural frequency or the force unknown | `unknown` |
 
 mod explained;
@@ -24,6 +25,7 @@ mod model;
 mod outliers;
 mod search;
 mod unknown;
+mod valleys;
 
 use crate::machine::error::{Error, Quantity, written};
 use crate::machine::oscillator::{Drive, Excitation, Oscillator};
@@ -41,6 +43,7 @@ use num_traits::Float as _;
 use outliers::{Judged, is_larger, judge};
 use search::{CurveFit, MeasuredPoint, RANGE, ResponseCurve, Rule, StartGrid, kept};
 use unknown::{Scaled, fitted};
+use valleys::lowest;
 
 /// One point of a measured response curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -148,6 +151,9 @@ pub struct Identified {
     /// Another kind of amplitude that fits better than expected by chance, with the standard error of an amplitude
     /// read so: the amplitudes were probably of that kind.
     pub better: Option<(AmplitudeKind, f64)>,
+    /// Whether the search for other minima came to its end. Otherwise the least sum of squares within the bound on its work is
+    /// answered.
+    pub search_is_complete: bool,
 }
 
 /// The friction force and the damping ratio that fit a response curve of a body of this mass on a spring of this
@@ -161,8 +167,9 @@ pub struct Identified {
 /// explains all values to within their noise keeps them all, so that in a curve without wrong values one is left out
 /// once in 10⁵ curves. Fewer than seven values of a kind are all used.
 ///
-/// The answer is the least sum of squares found from several starts. It is not proved to be the global
-/// minimum. Below Ω = 0.002 the amplitude of a body that stops is that under a slow force, to within 20Ω² p₀/k.
+/// The answer is the least sum of squares found from a grid of starts, and on both sides of each motion that begins to
+/// stop near it. It is not proved to be the global minimum. The intervals hold all parameters found, in any valley of the sum,
+/// that are no worse than their ends. Below Ω = 0.002 the amplitude of a body that stops is that under a slow force, to within 20Ω² p₀/k.
 ///
 /// **With the stiffness or the force unknown**, `None`, the natural angular frequency or p₀ is fitted, too. The phases are
 /// then those that `reading` names, and otherwise [`PhaseKind::Peak`], and the standard errors are those of three
@@ -210,10 +217,14 @@ fn identified(
         return Err(Error::TooFewMeasurements { count: points.len() });
     }
     let some = sample(&points);
-    let ChosenReading { phase, better_phase, judged, better } = chosen(&some, reading)?;
-    let curve = ResponseCurve { points: &points, ..ResponseCurve::of(&some, reading.amplitude, phase) };
-    let found = if some.len() == points.len() { judged } else { judge(&curve, judged.at, None)? };
-    let [kappa, zeta] = found.at;
+    let ChosenReading { phase, better_phase, judged, better, grid } = chosen(&some, reading)?;
+    let curve = |points| ResponseCurve::of(points, reading.amplitude, phase);
+    let (mut found, mut region) = lowest(&curve(&some), judged, Some(&grid));
+    let curve = curve(&points);
+    if some.len() < points.len() {
+        (found, region) = lowest(&curve, judge(&curve, found.fit.at, None)?, None);
+    }
+    let [kappa, zeta] = found.fit.at;
     for (x, (_, end), quantity) in
         [(kappa, RANGE[0], Quantity::FrictionBound), (zeta, RANGE[1], Quantity::DampingRatio)]
     {
@@ -226,17 +237,25 @@ fn identified(
         return Err(Error::CurveUnexplained { noise: written((1e3 * found.noise[0]).round() / 1e3) });
     }
     let has_phases = curve.counts()[1] > 0;
-    let estimate = |value: f64, variance: f64, range: (f64, f64)| Estimate {
+    let estimate = |value: f64, variance: f64, range: (f64, f64), alike| Estimate {
         value,
         standard_error: variance.sqrt(),
         degrees_of_freedom: found.degrees_of_freedom,
         range,
+        alike: Some(alike),
     };
+    let region = region.ok_or(Error::NotIdentified)?;
+    let [(low, high), of_zeta] = region.hull.ok_or(Error::NotIdentified)?;
     let [of_friction, _, of_damping] = found.covariance.ok_or(Error::NotIdentified)?;
     let [noise, phase_noise] = found.noise;
     Ok(Identified {
-        friction_bound: estimate(kappa * force, of_friction * force * force, (0.0, force)),
-        damping_ratio: estimate(zeta, of_damping, (0.0, f64::INFINITY)),
+        friction_bound: estimate(
+            kappa * force,
+            of_friction * force * force,
+            (0.0, force),
+            (low * force, high * force),
+        ),
+        damping_ratio: estimate(zeta, of_damping, (0.0, f64::INFINITY), of_zeta),
         natural_frequency: None,
         force: None,
         noise,
@@ -245,6 +264,7 @@ fn identified(
         phase: has_phases.then_some(phase),
         better_phase,
         better,
+        search_is_complete: region.is_whole,
     })
 }
 
@@ -292,6 +312,8 @@ struct ChosenReading {
     better_phase: Option<PhaseKind>,
     judged: Judged,
     better: Option<(AmplitudeKind, f64)>,
+    /// The grid of starts for this reading.
+    grid: StartGrid,
 }
 
 /// One reading of the phases with its fits.
@@ -364,7 +386,7 @@ fn chosen(points: &[MeasuredPoint], reading: Reading) -> Result<ChosenReading, E
         let noise = judge(&other, found.at, None).ok()?.noise[0];
         Some((amplitude, noise))
     });
-    Ok(ChosenReading { phase: best.phase, better_phase, judged, better })
+    Ok(ChosenReading { phase: best.phase, better_phase, judged, better, grid })
 }
 
 /// Whether another trimmed fit of the same curve is better by more than chance.
@@ -376,8 +398,9 @@ fn is_better(curve: &ResponseCurve<'_>, fit: &CurveFit, other: &CurveFit) -> boo
 
 /// The residuals, by measurement.
 fn residuals(curve: &ResponseCurve<'_>, found: &Judged) -> Result<Vec<Residual>, Error> {
-    let motions = curve.motions(found.at).ok_or(Error::NotIdentified)?;
-    let (amplitudes, phases) = found.residuals.split_at(curve.points.len().min(found.residuals.len()));
+    let motions = curve.motions(found.fit.at).ok_or(Error::NotIdentified)?;
+    let (amplitudes, phases) =
+        found.fit.residuals.split_at(curve.points.len().min(found.fit.residuals.len()));
     let (suspect, suspect_phases) = found.suspect.split_at(amplitudes.len());
     let mut phases = zip(phases, suspect_phases);
     let of = |((point, motion), (amplitude, is_suspect)): (

@@ -220,6 +220,7 @@ pub fn identify_motion(
         standard_error: error,
         degrees_of_freedom: found.degrees_of_freedom(),
         range: (least, f64::INFINITY),
+        alike: None,
     };
     let at = |place: usize| found.at.get(place).copied();
     let unit =

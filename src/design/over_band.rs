@@ -87,6 +87,9 @@ pub struct BandFriction<F> {
     /// ends are the same where it is a single frequency. Two that balance are the classical compromise; a range is one
     /// where the body moves with its support at the crest.
     pub at: Vec<(F, F)>,
+    /// The greatest friction up to which every one is as good, where these are more than 1/1000 of `friction` apart: the
+    /// optimum is flat. Where it is `rest` or more, every greater friction is as good, too.
+    pub up_to: Option<F>,
     /// The kind.
     pub kind: BandFrictionKind,
     /// The friction from which on the body rests in the whole band.
@@ -94,7 +97,8 @@ pub struct BandFriction<F> {
 }
 
 /// The friction with which the greatest amplitude `aim` of the body over the angular frequencies `[low, high]` is
-/// least. No friction that was tried, that of rest among them, is better.
+/// least. No friction that was tried, that of rest among them, is better. Where the crest is a motion with the support, many
+/// frictions may be equally good: the answer is the least of them, and the greatest up to which all on a mesh are.
 ///
 /// Mass, spring, damper and the ratio of static friction are those of `body`; its own friction plays no part. The
 /// amplitude of the drive is the same at every frequency, its frequency is not used. Where the motion depends on its
@@ -138,6 +142,7 @@ pub fn best_friction_over_band<F: Float>(
             friction: rest,
             greatest: F::int(0),
             at: Vec::new(),
+            up_to: Some(rest),
             kind: BandFrictionKind::Rest,
             rest,
         });
@@ -176,7 +181,42 @@ pub fn best_friction_over_band<F: Float>(
     } else {
         BandFrictionKind::Interior
     };
-    Ok(BandFriction { friction, greatest, at, kind, rest })
+    let up_to = if friction < rest { flat_up_to(&band, (friction, greatest), rest)? } else { Some(friction) };
+    Ok(BandFriction { friction, greatest, at, up_to, kind, rest })
+}
+
+/// The end of the frictions that are as good as the best one, if they are more than a point.
+fn flat_up_to<F: Float>(
+    band: &Band<'_, F>,
+    (friction, greatest): (F, F),
+    rest: F,
+) -> Result<Option<F>, Error> {
+    band.allow(CHECK_STEPS);
+    let is_rough = band.is_rough();
+    let enough = greatest * (F::int(1) + F::exp2i(if is_rough { -16 } else { -32 }));
+    // With the steps at an end, what was not looked at is not said to be as good.
+    let is_as_good = |friction| match band.value(friction, enough) {
+        Err(Error::BandTooCostly { .. }) => Ok(false),
+        value => value.map(|value| value <= enough),
+    };
+    let (mut inside, mut outside) = (friction, None);
+    for next in geometric(friction, rest, LOG_STEPS).into_iter().skip(1) {
+        if !is_as_good(next)? {
+            outside = Some(next);
+            break;
+        }
+        inside = next;
+    }
+    if let Some(mut outside) = outside {
+        while outside - inside > inside * F::exp2i(if is_rough { -SAFE } else { -36 }) {
+            let middle = inside + (outside - inside) / F::int(2);
+            if is_as_good(middle)? { inside = middle } else { outside = middle }
+        }
+        if is_rough {
+            inside = inside * (F::int(1) - F::exp2i(-SAFE));
+        }
+    }
+    Ok(Some(inside).filter(|&end| end > friction * F::ratio(1001, 1000)))
 }
 
 /// A friction, its greatest amplitude on the mesh and on the finer one, and the frequencies that the mesh missed.

@@ -1,7 +1,11 @@
 //! Natural frequencies, free and with contacts at rest.
+//!
+//! Contacts whose other side travels without end slide in one direction: the change of their friction with the normal load belongs to
+//! the stiffness (`sliding`), which then is not symmetric.
 
 use super::System;
-use super::assembly::Rule;
+use super::assembly::{Assembly, Rule};
+use super::fixed_point::eigenvalues;
 use super::matrix::{Matrix, add_times, dot};
 use crate::float::Float;
 use alloc::vec::Vec;
@@ -12,20 +16,16 @@ impl<F: Float> System<F> {
     ///
     /// A contact at rest holds `b·q` and takes away one frequency; an elastic contact adds its spring; a stop is open. A
     /// frequency of 0 is a rigid motion, and −√|λ| stands for a direction in which the stiffness is negative.
+    ///
+    /// A contact that slides on a side which travels without end, such as a belt, with a normal load by displacement, has its part
+    /// in the stiffness. Two frequencies that have coalesced (flutter) are both the real part of √λ: [`System::sliding`] says how it grows. A
+    /// contact that slides both ways has a friction without a sign, and no part.
     #[must_use]
     pub fn natural_frequencies(&self, held: &[usize]) -> Vec<F> {
         let system = &self.assembly;
         let (n, zero, one) = (system.n, F::int(0), F::int(1));
-        let (values, vectors) = system.mass.symmetric_modes();
-        // M^(−1/2) = Σ v vᵀ/√λ, v the rows of `vectors`.
-        let mut root = Matrix::zero(n, n);
-        for (k, value) in values.iter().enumerate() {
-            let v: Vec<F> = (0..n).map(|i| vectors.at(k, i)).collect();
-            for (i, &x) in v.iter().enumerate() {
-                add_times(root.row_mut(i), x / value.sqrt(), &v);
-            }
-        }
-        let mut stiffness = system.stiffness.clone();
+        let root = system.inverse_root_of_mass();
+        let mut stiffness = system.sliding_stiffness(one, held);
         let mut holds: Vec<Vec<F>> = Vec::new();
         for part in held.iter().filter_map(|&place| system.parts.get(place)) {
             match &part.rule {
@@ -68,10 +68,16 @@ impl<F: Float> System<F> {
                 add_times(operator.row_mut(i), x * most, c);
             }
         }
+        let is_symmetric = (0..n).all(|i| {
+            (0..i).all(|j| (operator.at(i, j) - operator.at(j, i)).abs() <= most * F::epsilon() * F::int(64))
+        });
+        let rounding = most * F::epsilon() * F::int(8);
+        if !is_symmetric {
+            return unsymmetric(&operator, n - holds.len());
+        }
         let (mut squares, _) = operator.symmetric_modes();
         squares.sort_by(|a, b| a.partial_cmp(b).unwrap_or(core::cmp::Ordering::Equal));
         squares.truncate(n - holds.len());
-        let rounding = most * F::epsilon() * F::int(8);
         squares
             .into_iter()
             .map(
@@ -80,5 +86,37 @@ impl<F: Float> System<F> {
                 },
             )
             .collect()
+    }
+}
+
+/// The least frequencies of a matrix that is not symmetric, at f64.
+fn unsymmetric<F: Float>(operator: &Matrix<F>, count: usize) -> Vec<F> {
+    let mut squares = eigenvalues(operator);
+    squares.sort_by(|a, b| a.0.total_cmp(&b.0));
+    squares.truncate(count);
+    let most = squares.iter().fold(0.0, |most: f64, (re, im)| most.max(re.hypot(*im)));
+    // Near a double root the rounding of the matrix has its square root.
+    let is_real = |im: f64| im.abs() <= 1e-7 * most;
+    let root = |(re, im): (f64, f64)| match re.abs() {
+        size if size <= 1e-14 * most && is_real(im) => 0.0,
+        size if is_real(im) => size.sqrt().copysign(re),
+        _ => f64::midpoint(re.hypot(im), re).max(0.0).sqrt(),
+    };
+    squares.into_iter().map(|square| F::from_f64(root(square))).collect()
+}
+
+impl<F: Float> Assembly<F> {
+    /// M^(−1/2) = Σ v vᵀ/√λ over the modes v of M.
+    pub(super) fn inverse_root_of_mass(&self) -> Matrix<F> {
+        let n = self.n;
+        let (values, vectors) = self.mass.symmetric_modes();
+        let mut root = Matrix::zero(n, n);
+        for (k, value) in values.iter().enumerate() {
+            let v: Vec<F> = (0..n).map(|i| vectors.at(k, i)).collect();
+            for (i, &x) in v.iter().enumerate() {
+                add_times(root.row_mut(i), x / value.sqrt(), &v);
+            }
+        }
+        root
     }
 }

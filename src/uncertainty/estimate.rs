@@ -16,25 +16,33 @@ pub struct Estimate {
     /// The least and the greatest value that the quantity can have.
     #[cfg_attr(feature = "serde", serde(with = "crate::serialized::unbounded"))]
     pub(crate) range: (f64, f64),
+    /// The least and the greatest value that a search found to be no worse than the ends of the interval.
+    pub(crate) alike: Option<(f64, f64)>,
 }
 
 impl Estimate {
     /// The interval that contains the true value in 95 % of such measurements or runs, if their errors are
     /// independent and normal. It is limited to the range of the quantity: a friction, a damping ratio or a
-    /// probability is not negative.
+    /// probability is not negative. Values that a search found to be no worse belong to it, as those of a second valley of
+    /// a sum of squares.
     ///
     /// The quantile of Student's distribution is computed by its expansion in the degrees of freedom,
     /// accurate to 1 % from 3 degrees on, and is exact for 1 and 2.
     #[must_use]
     pub fn interval(&self) -> (f64, f64) {
-        let quantile = match self.degrees_of_freedom {
-            1.0 => STUDENT_95[0],
-            2.0 => STUDENT_95[1],
-            n => student(Z_95, n),
-        };
-        let half = quantile * self.standard_error;
+        let half = student_95(self.degrees_of_freedom) * self.standard_error;
         let (least, greatest) = self.range;
-        ((self.value - half).max(least), (self.value + half).min(greatest))
+        let (low, high) = self.alike.unwrap_or((self.value, self.value));
+        ((self.value - half).min(low).max(least), (self.value + half).max(high).min(greatest))
+    }
+}
+
+/// The 97.5 % quantile of Student's distribution.
+pub(crate) fn student_95(degrees_of_freedom: f64) -> f64 {
+    match degrees_of_freedom {
+        1.0 => STUDENT_95[0],
+        2.0 => STUDENT_95[1],
+        n => student(Z_95, n),
     }
 }
 
@@ -72,9 +80,12 @@ mod tests {
             standard_error: 0.5,
             degrees_of_freedom: f64::INFINITY,
             range: (0.0, f64::INFINITY),
+            alike: None,
         };
         let (low, high) = estimate(1.0).interval();
         assert!((high - 1.979_982).abs() < 1e-6 && (low - 0.020_018).abs() < 1e-6);
         assert_eq!(estimate(0.5).interval().0, 0.0);
+        let wider = Estimate { alike: Some((0.5, 2.5)), ..estimate(1.0) };
+        assert_eq!(wider.interval(), (low, 2.5));
     }
 }

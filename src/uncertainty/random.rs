@@ -111,7 +111,13 @@ impl MonteCarlo {
         let (count, n) = (f64::from(self.count(regime)), f64::from(self.draws.saturating_sub(self.invalid)));
         let shrunk = (count + 2.0) / (n + 4.0);
         let standard_error = (shrunk * (1.0 - shrunk) / (n + 4.0)).sqrt();
-        Estimate { value: count / n, standard_error, degrees_of_freedom: f64::INFINITY, range: (0.0, 1.0) }
+        Estimate {
+            value: count / n,
+            standard_error,
+            degrees_of_freedom: f64::INFINITY,
+            range: (0.0, 1.0),
+            alike: None,
+        }
     }
 
     /// The values of a kept output in increasing order, from the draws in which the output exists: outputs of
@@ -154,6 +160,7 @@ impl MonteCarlo {
             standard_error,
             degrees_of_freedom: n - 1.0,
             range: (f64::NEG_INFINITY, f64::INFINITY),
+            alike: None,
         })
     }
 }

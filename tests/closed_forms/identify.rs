@@ -7,6 +7,7 @@ use crate::random::Random;
 use std::f64::consts::{FRAC_PI_2, SQRT_2, TAU};
 use stickslip::design::{AmplitudeKind, Identified, Measurement, PhaseKind, Reading, identify};
 use stickslip::motion::{LongRun, State, Trajectory};
+use stickslip::uncertainty::Estimate;
 use stickslip::{Cycle, Drive, Error, Oscillator, Ratios};
 
 /// A standard normal number, by Box and Muller's method.
@@ -104,7 +105,7 @@ fn curves(few: u32) -> u32 {
     std::env::var("CURVES").ok().and_then(|n| n.parse().ok()).unwrap_or(few)
 }
 
-fn within(estimate: stickslip::uncertainty::Estimate, truth: f64) -> u32 {
+fn within(estimate: Estimate, truth: f64) -> u32 {
     let (low, high) = estimate.interval();
     u32::from(low <= truth && truth <= high)
 }
@@ -118,9 +119,7 @@ fn curves_with_stops_are_fitted() {
     for i in 0..count {
         let (kappa, zeta, curve) = drawn(&mut random, 12 + i % 20);
         let found = identify(1.0, Some(1.0), Some(1.0), &curve, Reading::default()).unwrap();
-        let off = |estimate: stickslip::uncertainty::Estimate, truth: f64| {
-            (estimate.value - truth).abs() / estimate.standard_error
-        };
+        let off = |estimate: Estimate, truth: f64| (estimate.value - truth).abs() / estimate.standard_error;
         let (friction, damping) = (off(found.friction_bound, kappa), off(found.damping_ratio, zeta));
         assert!(friction < 6.0 && damping < 6.0, "{i}: {kappa} {zeta} {found:?}");
         assert!(found.friction_bound.interval().0 >= 0.0 && found.damping_ratio.interval().0 >= 0.0);
@@ -133,6 +132,114 @@ fn curves_with_stops_are_fitted() {
     assert_eq!(left_out, 0);
     // Of 24, at least 21 with a probability of 97 %.
     assert!(inside.iter().all(|&n| n >= (0.93 * f64::from(count)) as u32 - count / 20), "{inside:?}");
+}
+
+/// The amplitude in units of p₀/k, in closed form or by the exact motion.
+fn amplitude(omega: f64, kappa: f64, zeta: f64) -> f64 {
+    let ratios = Ratios::new(omega, 1.0 / kappa.max(1e-12)).unwrap().with_damping_ratio(zeta).unwrap();
+    if let Ok(cycle) = Cycle::new(ratios) {
+        return kappa.max(1e-12) * cycle.max_displacement;
+    }
+    let limit = LongRun::from_start(ratios, State::default()).unwrap();
+    limit.steady_state().map_or(0.0, |steady| kappa * steady.max_displacement.value)
+}
+
+/// A curve of amplitudes with noise of 1 to 8 %, at 8 to 27 frequencies, many of them with stops.
+fn noisy(seed: u64) -> Vec<Measurement> {
+    let mut random = Random(seed);
+    let count = 8 + (seed % 20) as u32;
+    let (kappa, zeta) = (random.between(0.05, 0.7), random.scale(0.002, 0.2));
+    let (low, high) = (random.scale(0.08, 0.5), random.between(0.6, 2.0));
+    let noise = random.between(0.01, 0.08);
+    let measure = |i: u32| {
+        let angular_frequency = low + (high - low) * f64::from(i) / f64::from(count - 1);
+        let amplitude = amplitude(angular_frequency, kappa, zeta) * (1.0 + noise * normal(&mut random));
+        Measurement { angular_frequency, amplitude, phase: None }
+    };
+    (0..count).map(measure).collect()
+}
+
+/// The sum of squares of the amplitudes that count.
+fn squares(curve: &[Measurement], found: &Identified, kappa: f64, zeta: f64) -> f64 {
+    let counted = std::iter::zip(curve, &found.residuals).filter(|(_, r)| !r.is_suspect());
+    let off = |m: &Measurement| 1.0 - amplitude(m.angular_frequency, kappa, zeta) / m.amplitude;
+    counted.map(|(m, _)| off(m).powi(2)).sum()
+}
+
+/// By how many standard errors a value lies beyond the interval.
+fn beyond(estimate: Estimate, x: f64) -> f64 {
+    let (low, high) = estimate.interval();
+    (low - x).max(x - high) / estimate.standard_error
+}
+
+/// The quantile of Student's distribution is greater.
+const LEAST_QUANTILE: f64 = 1.96;
+/// Half a step of the search, in standard errors.
+const HALF_A_STEP: [f64; 2] = [0.175, 0.25];
+
+/// No point of a dense grid around the answer, nor of a coarse one over the whole range, has a lesser sum of squares, and those
+/// with sums below that of the ends of the interval lie in it. Of the first two curves a descent from the best points
+/// of a grid of starts ends in a higher valley, beyond a motion that begins to stop.
+#[test]
+fn no_valley_is_lower_than_the_answer() {
+    for seed in [195, 285].into_iter().chain(0..u64::from(curves(60))) {
+        let curve = noisy(seed);
+        let found = identify(1.0, Some(1.0), Some(1.0), &curve, Reading::default()).unwrap();
+        assert!(found.search_is_complete, "{seed}");
+        let [friction, damping] = [found.friction_bound, found.damping_ratio];
+        let least = squares(&curve, &found, friction.value, damping.value);
+        let counted = curve.len() - suspects(&found);
+        let level = least * (1.0 + LEAST_QUANTILE.powi(2) / (counted as f64 - 2.0));
+        let near = |i: u32, e: Estimate| e.value + 4.0 * e.standard_error * (f64::from(i) / 16.0 - 1.0);
+        let fine = (0..=32).flat_map(|i| (0..=32).map(move |j| (near(i, friction), near(j, damping))));
+        let far = |i: u32, j: u32| (0.05 * f64::from(i), 0.01 * f64::from(j * j));
+        let coarse = (1..20).flat_map(|i| (0..12).map(move |j| far(i, j)));
+        for (kappa, zeta) in fine.chain(coarse).filter(|(r, z)| *r > 0.0 && *r < 1.0 && *z >= 0.0) {
+            let there = squares(&curve, &found, kappa, zeta);
+            // The descent ends where it would gain less than this.
+            assert!(there >= least * (1.0 - 1e-9), "{seed}: {there} at {kappa} {zeta}, {found:?}");
+            let beyond = beyond(friction, kappa).max(beyond(damping, zeta));
+            assert!(
+                there > level || beyond < HALF_A_STEP[0],
+                "{seed}: {beyond} at {kappa} {zeta}, {found:?}"
+            );
+        }
+    }
+}
+
+/// The same with the natural frequency or the force unknown: at no other one, given as known, is there a better fit, and
+/// those as good as the ends of the interval lie in it.
+#[test]
+fn no_other_natural_frequency_or_force_is_better() {
+    for seed in 0..u64::from(curves(6)) {
+        let curve = noisy(20 * seed + 12 + seed % 8);
+        let with = |natural: Option<f64>, force| {
+            identify(1.0, natural.map(|x| x * x), force, &curve, Reading::default())
+        };
+        let answer = if seed % 2 == 0 { with(None, Some(1.0)) } else { with(Some(1.0), None) };
+        let Some(found) = answer.ok().filter(|found| suspects(found) == 0) else { continue };
+        assert!(found.search_is_complete, "{seed}");
+        let unknown = found.natural_frequency.or(found.force).unwrap();
+        let sum = |found: &Identified| found.residuals.iter().map(|r| r.amplitude.powi(2)).sum::<f64>();
+        let level = sum(&found) * (1.0 + LEAST_QUANTILE.powi(2) / (curve.len() as f64 - 3.0));
+        for i in -8..=8 {
+            let value = unknown.value + 0.4 * f64::from(i) * unknown.standard_error;
+            let known =
+                if seed % 2 == 0 { with(Some(value), Some(1.0)) } else { with(Some(1.0), Some(value)) };
+            let Some(known) = known.ok().filter(|found| suspects(found) == 0) else { continue };
+            assert!(sum(&known) >= sum(&found) * (1.0 - 1e-6), "{seed} {value}: {known:?} {found:?}");
+            for (own, other) in [
+                (unknown, value),
+                (found.friction_bound, known.friction_bound.value),
+                (found.damping_ratio, known.damping_ratio.value),
+            ] {
+                assert!(
+                    sum(&known) > level || beyond(own, other) < HALF_A_STEP[1],
+                    "{seed} {value}: {known:?} {found:?}"
+                );
+            }
+        }
+    }
 }
 
 /// One to three wrong amplitudes of 25.
@@ -202,9 +309,8 @@ fn of_shaker(curve: &[Measurement], reading: Reading) -> Identified {
 
 /// Within three standard errors of the truth, with the noise of the measurements.
 fn is_true(found: &Identified) -> bool {
-    let near = |estimate: stickslip::uncertainty::Estimate, truth: f64| {
-        (estimate.value - truth).abs() <= 3.0 * estimate.standard_error
-    };
+    let near =
+        |estimate: Estimate, truth: f64| (estimate.value - truth).abs() <= 3.0 * estimate.standard_error;
     near(found.friction_bound, 12.0) && near(found.damping_ratio, 0.02) && found.noise < 0.03
 }
 

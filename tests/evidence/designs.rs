@@ -326,6 +326,10 @@ fn no_other_friction_has_a_lower_crest() {
             grid.filter_map(|frequency| amplitude(friction, frequency)).fold(0.0, f64::max)
         };
         assert!(crest(best.friction) <= best.greatest * (1.0 + 1e-6), "{aim:?} {best:?}");
+        if let Some(end) = best.up_to {
+            assert!(crest((best.friction * end).sqrt()) <= best.greatest * (1.0 + 1e-6), "{aim:?} {best:?}");
+            assert!(end < best.rest || crest(2.0 * end) <= best.greatest * (1.0 + 1e-6), "{aim:?} {best:?}");
+        }
         let at = best.at.iter().filter_map(|(from, to)| amplitude(best.friction, (from * to).sqrt()));
         let at: Vec<f64> = at.collect();
         assert!(!at.is_empty(), "{aim:?} {best:?}");

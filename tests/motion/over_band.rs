@@ -2,7 +2,7 @@
 //! by motions from rest.
 
 use crate::random::Random;
-use stickslip::design::{Aim, best_friction_over_band};
+use stickslip::design::{Aim, BandFrictionKind, best_friction_over_band};
 use stickslip::motion::{LongRun, State};
 use stickslip::{Drive, Error, Excitation, Oscillator};
 
@@ -136,4 +136,44 @@ fn a_costly_band_is_refused() {
         let found = best_friction_over_band(&body, &drive, 0.01..=0.2, Aim::TransmittedForce);
         assert!(matches!(found, Err(Error::BandTooCostly { .. })), "{found:?}");
     }
+}
+
+/// Where the crest is the motion with the base, every friction of a piece is as good: the answer says how far, beside the
+/// greatest amplitudes of a grid of frequencies of its own.
+#[test]
+fn a_flat_optimum_is_said_to_be_flat() {
+    let mut flat = Vec::new();
+    for (zeta, low, high, excitation, aim) in [
+        (0.05, 0.44, 4.4, Excitation::SurfaceMotion, Aim::AbsoluteDisplacement),
+        (0.0, 0.5, 4.0, Excitation::SurfaceMotion, Aim::AbsoluteDisplacement),
+        (0.02, 0.6, 5.0, Excitation::SurfaceAcceleration, Aim::TransmittedForce),
+        (0.1, 0.8, 1.2, Excitation::SurfaceAcceleration, Aim::TransmittedForce),
+        (0.1, 2.0, 4.0, Excitation::SurfaceMotion, Aim::AbsoluteDisplacement),
+    ] {
+        let of =
+            |friction: f64| Oscillator::new(1.0, 1.0, friction).unwrap().with_damping_ratio(zeta).unwrap();
+        let drive = |omega| Drive::new(excitation, 2.0, omega).unwrap();
+        let best = best_friction_over_band(&of(1.0), &drive(1.0), low..=high, aim).unwrap();
+        let greatest = |friction: f64| {
+            let at = |i: u32| low * (high / low).powf(f64::from(i) / 400.0);
+            (0..=400).map(|i| amplitude(&of(friction), &drive(at(i)), aim)).fold(0.0, f64::max)
+        };
+        let own = |friction: f64| greatest(friction) / best.greatest - 1.0;
+        let end = best.up_to.unwrap_or(best.friction);
+        for i in 0..=20 {
+            // The grid may miss a peak.
+            let friction = best.friction * (end / best.friction).powf(f64::from(i) / 20.0);
+            assert!(own(friction) < 1e-9, "{i}: {} {best:?}", own(friction));
+        }
+        // What is left out is worse.
+        assert!(best.kind == BandFrictionKind::None || own(0.98 * best.friction) > 1e-5, "{best:?}");
+        if end < best.rest {
+            assert!(own(1.02 * end + 0.01 * best.rest) > 1e-5, "{best:?}");
+        } else {
+            assert!(own(3.0 * end) < 1e-9, "{best:?}");
+        }
+        flat.push(best.up_to.is_some_and(|end| end >= best.rest));
+        assert!(flat.last() == Some(&true) || best.up_to.is_none(), "{best:?}");
+    }
+    assert_eq!(flat, [true, true, false, false, false]);
 }

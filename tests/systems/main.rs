@@ -19,6 +19,7 @@ mod precise;
 mod random;
 mod references;
 mod self_excited;
+mod sliding;
 mod verdicts;
 
 /// How many are compared: the second number under `.ci/slow systems`.

@@ -70,6 +70,7 @@ impl<F: Value> AskedDesign<'_, F> {
             let mut ranges = found.at.iter().map(|&(from, to)| (from, Some(to)));
             fields.push(("at_frequencies", Kind::Frequency, Cell::Intervals([ranges.next(), ranges.next()])));
         }
+        fields.push(("greatest_friction", Kind::Force, Cell::Number(found.up_to)));
         fields.push(("rest_friction", Kind::Force, some(found.rest)));
         fields.push(("optimum", Kind::Ratio, Cell::Text(found.kind.name())));
         if !(found.kind == BandFrictionKind::Rest && found.greatest == F::int(0)) {
@@ -104,14 +105,21 @@ impl<F: Value> AskedDesign<'_, F> {
                         }
                     })
                     .collect();
-                let rests = if found.kind == BandFrictionKind::Rest {
-                    " or more, with which the body does not slide"
-                } else {
-                    ""
+                let (forces, least) = match found.up_to {
+                    _ if found.kind == BandFrictionKind::Rest => {
+                        (format!("of {friction} or more, with which the body does not slide"), "")
+                    }
+                    None => (format!("of {friction}"), ""),
+                    Some(end) if end >= found.rest => {
+                        (format!("of {friction} or more, also at rest"), "with the least of them ")
+                    }
+                    Some(end) => {
+                        (format!("from {friction} to {} {force}", digits(end)), "with the least of them ")
+                    }
                 };
                 format!(
-                    "The peak {words} from {band} is least with a friction force of {friction}{rests}: {greatest}, \
-                     at {}. The friction is found by a search that is not a proof.",
+                    "The peak {words} from {band} is least with a friction force {forces}: {greatest}, \
+                     {least}at {}. The friction is found by a search that is not a proof.",
                     places.join(" and at ")
                 )
             }

@@ -5,23 +5,18 @@ use crate::bits::digits;
 use crate::failure::Outcome;
 use crate::note::line;
 use crate::output;
-use std::f64::consts::TAU;
 use std::io::Write;
 use stickslip::inputs::units::{Kind as Of, System as Units};
 use stickslip::system::{Border, Cycle, Element, Kind, Law, Motion, Steady, SteadyKind};
 use stickslip_front::system::{
-    Described, Description, NamedSystem, border_verdict, kind_of, plural, steady_verdict, with_unit,
+    Described, Description, NamedSystem, border_verdict, frequency_of, kind_of, plural, sliding_verdict,
+    steady_verdict, with_unit,
 };
-
-/// A frequency in words: in hertz where the units are known.
-fn frequency(units: Option<&Units>, omega: f64) -> String {
-    if units.is_some() { format!("{} Hz", digits(omega / TAU)) } else { digits(omega) }
-}
 
 /// A natural frequency, or the growth of a direction whose stiffness is negative.
 fn own(units: Option<&Units>, omega: f64) -> String {
     if omega >= 0.0 {
-        return frequency(units, omega);
+        return frequency_of(omega, units);
     }
     let per = if units.is_some() { "/s" } else { "" };
     format!("unstable (grows at the rate {}{per})", digits(-omega))
@@ -76,7 +71,7 @@ pub(super) fn describe(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Wr
             (amplitude > 0.0).then(|| format!("{} on {name}", with_unit(amplitude, units, Of::Force)))
         };
         let loads: Vec<_> = (0..described.coordinates.len()).filter_map(on).collect();
-        let at = frequency(units, harmonic.frequency);
+        let at = frequency_of(harmonic.frequency, units);
         line(
             out,
             "load",
@@ -97,6 +92,16 @@ pub(super) fn describe(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Wr
     }
     if has_contacts {
         line(out, "all contacts at rest", list(stuck))?;
+    }
+    if let Some(verdict) = description.sliding.as_ref().and_then(|found| sliding_verdict(found, units)) {
+        writeln!(out, "\n{verdict}")?;
+    }
+    if !description.sliding_both_ways.is_empty() {
+        let names = description.sliding_both_ways.join(", ");
+        writeln!(
+            out,
+            "\nThe friction of {names} changes sign with the direction of sliding: these frequencies leave out its change with the displacement."
+        )?;
     }
     if description.negative_damping {
         writeln!(out, "\nThe damping is negative in some direction: it feeds the motion.")?;

@@ -265,11 +265,17 @@ fn the_best_friction_over_a_band() {
     };
     assert!((at(1.0) / 0.05 - 1.0).abs() < 1e-9 && at(0.99) > 0.0501);
     assert!(stdout(&asked).contains(" and at "), "{}", stdout(&asked));
+    // At rest it is that amplitude, too.
+    assert!(stdout(&asked).contains(" N or more, also at rest: 0.05 m, with the least of them at "));
+    assert!(number(&found["greatest_friction"]) >= number(&found["rest_friction"]), "{found}");
+    assert!((at(20.0) / 0.05 - 1.0).abs() < 1e-9);
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("curves.svg");
     stdout(&format!("{asked} --picture {}", file.display()));
     assert!(std::fs::read_to_string(&file).unwrap().contains("<svg"));
     refused(&format!("{asked} --picture {}", file.display()), &["--picture", "must not exist yet"]);
+    let between = format!("{isolator} --base-acceleration 1m/s2 --over 0.4Hz:0.6Hz --of acceleration");
+    assert!(json(&between)["greatest_friction"].is_null() && !stdout(&between).contains(" or more"));
     let force = format!("{isolator} --force 300N");
     assert!(
         stdout(&format!("{force} --over 0.2Hz:2Hz --of displacement")).contains("because the body rests")

@@ -3,7 +3,7 @@
 use super::answer::kind_of;
 use super::built::NamedSystem;
 use serde::Serialize;
-use stickslip::system::{Element, Model, System};
+use stickslip::system::{Element, Kind, Model, System};
 
 /// The system in words and numbers.
 #[derive(Debug, Clone, Serialize)]
@@ -12,13 +12,17 @@ pub struct Description<'a> {
     pub coordinates: &'a [String],
     /// The elements.
     pub elements: Vec<OfElement<'a>>,
-    /// In rad/s, or in radians per unit of time for matrices, with all contacts sliding. A direction of negative stiffness has
-    /// the negative of its rate of growth.
+    /// In rad/s, or in radians per unit of time for matrices, with all contacts sliding, those on a side that travels in one
+    /// direction. A direction of negative stiffness has the negative of its rate of growth.
     pub natural_frequencies: Vec<f64>,
     /// The natural frequencies with all contacts at rest.
     pub natural_frequencies_stuck: Vec<f64>,
     /// The number of motions without a restoring force.
     pub rigid_modes: usize,
+    /// The stability of steady sliding, where a contact slides on a side that travels.
+    pub sliding: Option<OfSliding>,
+    /// The contacts whose friction changes with the displacement and slide both ways: it has no part in the frequencies.
+    pub sliding_both_ways: Vec<&'a str>,
     /// Whether the dampers feed some motion instead of damping it.
     pub negative_damping: bool,
     /// The frequencies of the harmonic loads.
@@ -36,6 +40,59 @@ pub struct OfElement<'a> {
     pub kind: &'static str,
     /// With this element alone at rest.
     pub natural_frequencies_stuck: Vec<f64>,
+}
+
+/// The stability of steady sliding.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub struct OfSliding {
+    /// The greatest rate of growth of a disturbance in a unit of time, and its angular frequency.
+    pub growth: f64,
+    /// 0 where it does not oscillate.
+    pub frequency: f64,
+    /// The friction from which on sliding is unstable.
+    pub threshold: Option<OfThreshold>,
+    /// Whether a contact that slides so has a friction that changes with the displacement.
+    #[serde(skip)]
+    pub is_coupled: bool,
+}
+
+/// The friction from which on sliding is unstable.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub struct OfThreshold {
+    /// flutter or divergence.
+    pub kind: &'static str,
+    /// The factor of the coefficients of all contacts whose friction changes with the displacement.
+    pub factor: f64,
+    /// The coefficient of friction, where these have the same.
+    pub coefficient: Option<f64>,
+    /// The angular frequency of flutter.
+    pub frequency: f64,
+}
+
+impl OfSliding {
+    /// The stability of a system that slides.
+    fn new(model: &Model<f64>, system: &System<f64>) -> Option<Self> {
+        let found = system.sliding()?;
+        let mut coefficients =
+            model.elements.iter().filter(|element| element.moves.constant != 0.0).filter_map(coupled);
+        let first = coefficients.next();
+        let shared = first.filter(|first| coefficients.all(|other| other == *first));
+        let threshold = found.threshold.map(|threshold| OfThreshold {
+            kind: if threshold.frequency > 0.0 { "flutter" } else { "divergence" },
+            factor: threshold.factor,
+            coefficient: shared.map(|one| one * threshold.factor),
+            frequency: threshold.frequency,
+        });
+        let (growth, frequency) = (found.growth, found.frequency);
+        Some(Self { growth, frequency, threshold, is_coupled: first.is_some() })
+    }
+}
+
+/// The coefficient of a contact whose normal load changes with the displacement.
+fn coupled(element: &Element<f64>) -> Option<f64> {
+    let Kind::Contact { law, normal: Some(normal), .. } = &element.kind else { return None };
+    let coefficient = law.points.first()?.1;
+    normal.displacement.iter().any(|by| *by != 0.0).then_some(coefficient)
 }
 
 impl<'a> Description<'a> {
@@ -57,6 +114,12 @@ impl<'a> Description<'a> {
             rigid_modes: natural_frequencies.iter().filter(|omega| **omega == 0.0).count(),
             natural_frequencies,
             natural_frequencies_stuck: system.natural_frequencies(&held),
+            sliding: OfSliding::new(&described.model, system),
+            sliding_both_ways: elements
+                .iter()
+                .filter(|element| element.moves.constant == 0.0 && coupled(element).is_some())
+                .map(|element| element.name.as_str())
+                .collect(),
             negative_damping: is_fed(&described.model),
             harmonics: described.model.harmonics.iter().map(|h| h.frequency).collect(),
             records: described.model.records.len(),

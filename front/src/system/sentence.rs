@@ -2,8 +2,10 @@
 
 use super::answer::kind_of;
 use super::described::Described;
+use super::description::OfSliding;
+use std::f64::consts::TAU;
 use stickslip::inputs::units::{Kind as Of, System as Units};
-use stickslip::system::{Border, Steady, SteadyKind};
+use stickslip::system::{Border, GREATEST_COEFFICIENT, Steady, SteadyKind};
 use stickslip::words::digits;
 
 /// One of a thing in words, or several in digits.
@@ -16,6 +18,53 @@ pub fn plural(count: usize, one: &str, several: &str) -> String {
 #[must_use]
 pub fn with_unit(x: f64, units: Option<&Units>, kind: Of) -> String {
     units.map_or_else(|| digits(x), |system| format!("{} {}", digits(x), system.name(kind)))
+}
+
+/// A frequency in words: in hertz where the units are known.
+#[must_use]
+pub fn frequency_of(omega: f64, units: Option<&Units>) -> String {
+    if units.is_some() { format!("{} Hz", digits(omega / TAU)) } else { digits(omega) }
+}
+
+/// The verdict on steady sliding; none where no friction can make it unstable.
+#[must_use]
+pub fn sliding_verdict(found: &OfSliding, units: Option<&Units>) -> Option<String> {
+    let rate = |x: f64| format!("{}{}", digits(x), if units.is_some() { "/s" } else { "" });
+    let at = |omega: f64| {
+        if omega > 0.0 {
+            format!("oscillates at {}", frequency_of(omega, units))
+        } else {
+            "does not oscillate".into()
+        }
+    };
+    let now = match found.growth {
+        growth if growth > 0.0 => format!(
+            "Steady sliding is unstable: a disturbance grows at the rate {} and {}.",
+            rate(growth),
+            at(found.frequency)
+        ),
+        _ if !found.is_coupled => return None,
+        growth if growth < 0.0 => {
+            format!("Steady sliding is stable: the slowest disturbance decays at the rate {}.", rate(-growth))
+        }
+        _ => "Steady sliding is stable: no disturbance grows.".to_owned(),
+    };
+    let Some(threshold) = found.threshold else {
+        let none = format!(
+            " No friction up to a coefficient of {GREATEST_COEFFICIENT} starts flutter or divergence."
+        );
+        return Some(if found.growth > 0.0 || !found.is_coupled { now } else { now + &none });
+    };
+    let from = threshold.coefficient.map_or_else(
+        || format!("{} times these coefficients of friction", digits(threshold.factor)),
+        |coefficient| format!("a coefficient of friction of {}", digits(coefficient)),
+    );
+    let how = if threshold.frequency > 0.0 {
+        format!("It flutters from {from} on, at {}.", frequency_of(threshold.frequency, units))
+    } else {
+        format!("It diverges from {from} on.")
+    };
+    Some(format!("{now} {how}"))
 }
 
 /// The verdict on a steady motion.

@@ -77,6 +77,9 @@ class BandFriction(NamedTuple):
     optimum: str
     #: The friction from which on the body rests in the whole band.
     rest_friction: float
+    #: The greatest friction up to which every one is as good; at least `rest_friction` where every greater one is, too. None
+    #: where the optimum is a single friction.
+    up_to: Optional[float] = None
 
 
 @brief
@@ -122,6 +125,8 @@ class Identified(NamedTuple):
     natural_angular_frequency: Optional[Estimate] = None
     #: Amplitude of the force, where it was not given.
     force: Optional[Estimate] = None
+    #: Whether the search for other minima came to its end.
+    search_is_complete: bool = True
 
     @property
     def natural_frequency(self) -> Optional[Estimate]:
@@ -279,6 +284,7 @@ def identify(
         stops=placed(found["stops"], False),
         phase_kind=found["phase_kind"],
         better_amplitude_kind=found["better_amplitude_kind"],
+        search_is_complete=found["search_is_complete"],
         natural_angular_frequency=None if natural is None else Estimate(*natural),
         force=None if fitted is None else Estimate(*fitted),
     )

@@ -736,13 +736,15 @@ class Machine(Generic[V]):
         >>> best = machine.best_friction_over(drive, frequency=(0.2, 2.0))
         >>> round(best.friction, 2), round(best.greatest, 9), best.optimum
         (320.69, 0.05, 'interior')
+        >>> best.up_to >= best.rest_friction  # the optimum is flat: every greater friction is as good
+        True
         """
         from ._design import BandFriction
 
         kind, amplitude, _ = self._single(drive)
         ends, unit = _range(frequency, angular_frequency)
-        friction, greatest, at, optimum, rest = _native.best_friction_over(self._body, kind, amplitude, *ends, of)
-        return BandFriction(friction, greatest, [(low / unit, high / unit) for low, high in at], optimum, rest)
+        friction, greatest, at, optimum, rest, up_to = _native.best_friction_over(self._body, kind, amplitude, *ends, of)
+        return BandFriction(friction, greatest, [(low / unit, high / unit) for low, high in at], optimum, rest, up_to)
 
     def bands(
         self,

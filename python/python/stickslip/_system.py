@@ -397,6 +397,20 @@ class System:
             raise Error(f"stuck = {stuck}: must be one of {', '.join(self.elements)}")
         return np.array(found["natural_frequencies_stuck" if stuck else "natural_frequencies"], dtype=float)
 
+    def sliding(self) -> Optional[Mapping[str, Any]]:
+        """The stability of steady sliding on sides that travel, such as belts; None where no contact has one.
+
+        Returns
+        -------
+        dict
+            ``growth``, the rate at which the worst disturbance grows, below 0 where all decay; its angular ``frequency``; and
+            ``threshold``: the ``factor`` of the coefficients of friction from which on sliding is unstable, where the normal load
+            depends on the displacement, with the ``coefficient`` of friction itself if it is one, the ``frequency``, and the
+            ``kind``, ``"flutter"`` or ``"divergence"``.
+        """
+        found: Optional[Mapping[str, Any]] = json.loads(self._handle.describe())["sliding"]
+        return found
+
     def steady(self) -> SystemSteady:
         """The motion that the start leads to, by its period map; exact stops, no time step."""
         found = json.loads(self._handle.steady())

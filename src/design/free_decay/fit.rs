@@ -89,7 +89,7 @@ impl Fit {
     /// An estimate that is not negative, of a value with a standard error.
     pub(super) fn estimate(&self, value: f64, standard_error: f64, greatest: f64) -> Estimate {
         let degrees_of_freedom = self.degrees_of_freedom();
-        Estimate { value, standard_error, degrees_of_freedom, range: (0.0, greatest) }
+        Estimate { value, standard_error, degrees_of_freedom, range: (0.0, greatest), alike: None }
     }
 
     /// The correlation of neighbouring residuals, where it is above chance, and otherwise 0.

@@ -142,5 +142,5 @@ fn frequency(times: &[f64], halves: f64, zeta: f64) -> Estimate {
     let spread = (rest / (n - 2.0) / square).sqrt() / slope;
     let value = halves * PI / (slope * swing(zeta));
     let range = (0.0, f64::INFINITY);
-    Estimate { value, standard_error: value * spread, degrees_of_freedom: n - 2.0, range }
+    Estimate { value, standard_error: value * spread, degrees_of_freedom: n - 2.0, range, alike: None }
 }

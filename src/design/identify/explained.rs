@@ -25,7 +25,7 @@ pub(super) fn is_unexplained(curve: &ResponseCurve<'_>, found: &Judged) -> bool 
         return false;
     }
     let counted = || {
-        let all = zip(curve.points, zip(&found.residuals, &found.suspect)).take(amplitudes);
+        let all = zip(curve.points, zip(&found.fit.residuals, &found.suspect)).take(amplitudes);
         all.filter(|(_, (_, is_suspect))| !**is_suspect).map(|(point, (r, _))| (point.amplitude, *r))
     };
     let count = counted().count() as f64;

@@ -13,9 +13,8 @@ use num_traits::Float as _;
 /// Least squares over the values that belong to the curve.
 #[derive(Debug, Clone)]
 pub(super) struct Judged {
-    pub(super) at: Parameters,
-    /// The residuals of all amplitudes, then of all phases.
-    pub(super) residuals: Vec<f64>,
+    /// The residuals are those of all amplitudes, then of all phases.
+    pub(super) fit: CurveFit,
     /// Whether each residual is too large to count.
     pub(super) suspect: Vec<bool>,
     /// The standard errors of an amplitude and of a phase.
@@ -26,17 +25,34 @@ pub(super) struct Judged {
 }
 
 impl Judged {
+    /// The statistics of a fit in which the phases that count have the weight `ratio`, and the amplitudes 1.
+    fn of(curve: &ResponseCurve<'_>, fit: CurveFit, ratio: f64) -> Option<(Self, Vec<[f64; 2]>)> {
+        let slopes = curve.slopes(fit.at, &fit.residuals)?;
+        let suspect: Vec<bool> = fit.weights.iter().map(|w| *w <= 0.0).collect();
+        let count = suspect.iter().filter(|is_suspect| !**is_suspect).count();
+        let degrees_of_freedom = count.saturating_sub(2).max(1) as f64;
+        let variance = (fit.sum / degrees_of_freedom).max(least_variance());
+        let covariance = fit.normal(&slopes).inverse().map(|inverse| inverse.map(|x| x * variance));
+        let noise = [variance.sqrt(), (variance / ratio).sqrt()];
+        Some((Self { fit, suspect, noise, covariance, degrees_of_freedom }, slopes))
+    }
+
+    /// The same selection at another minimum.
+    pub(super) fn moved(&self, curve: &ResponseCurve<'_>, fit: CurveFit) -> Option<Self> {
+        Self::of(curve, fit, (self.noise[0] / self.noise[1]).powi(2)).map(|(judged, _)| judged)
+    }
+
     /// The sum of squares of the values that count, in units of their noise.
     fn sum(&self, counts: [usize; 2]) -> f64 {
         let counted =
-            zip(&self.residuals, &self.suspect).enumerate().filter(|(_, (_, is_suspect))| !**is_suspect);
+            zip(&self.fit.residuals, &self.suspect).enumerate().filter(|(_, (_, is_suspect))| !**is_suspect);
         counted.map(|(i, (r, _))| (r / of_kind(i, counts, self.noise)).powi(2)).sum()
     }
 
     /// The logarithm of how well this explains all values, in units of which twice the difference is chance by itself: less
     /// is better. A value that is left out costs as much as its deviation as a parameter chosen among n.
     pub(super) fn misfit(&self, counts: [usize; 2]) -> f64 {
-        let n = self.residuals.len() as f64;
+        let n = self.suspect.len() as f64;
         let kinds = [(counts[0], self.noise[0]), (counts[1], self.noise[1])];
         let noise: f64 = kinds.iter().map(|(count, noise)| *count as f64 * noise.max(LEAST_NOISE).ln()).sum();
         let left_out = self.suspect.iter().filter(|is_suspect| **is_suspect).count() as f64;
@@ -48,6 +64,10 @@ impl Judged {
 const WEIGHINGS: usize = 6;
 /// The residual below which nothing is suspect, because the exact motion is no more accurate.
 const LEAST_NOISE: f64 = 1e-9;
+/// The least variance of the residuals.
+pub(super) fn least_variance() -> f64 {
+    LEAST_NOISE.powi(2) / 100.0
+}
 /// The chance that a curve without a wrong value has a suspect one.
 const FALSE_ALARM: f64 = 1e-5;
 /// The least number of values of a kind from which single values are judged and the noise of the kind is
@@ -109,9 +129,9 @@ pub(super) fn judge(
     }
     // Both sums in units of the noise of the selection.
     let of_all: f64 =
-        all.residuals.iter().enumerate().map(|(i, r)| (r / of_kind(i, counts, some.noise)).powi(2)).sum();
+        all.fit.residuals.iter().enumerate().map(|(i, r)| (r / of_kind(i, counts, some.noise)).powi(2)).sum();
     let ratio = some.sum(counts) / of_all;
-    Ok(if is_no_chance(ratio, some.residuals.len(), left_out) { some } else { all })
+    Ok(if is_no_chance(ratio, some.suspect.len(), left_out) { some } else { all })
 }
 
 /// The least squares over all values, each kind with its own noise if the two differ by more than chance.
@@ -138,20 +158,14 @@ fn whole(curve: &ResponseCurve<'_>, start: Parameters, grid: Option<&StartGrid>)
         at = fit.at;
         let next = own_noise(of_each(&fit, &weights, counts), numbers(&weights, counts));
         let is_same = (next / ratio).ln().abs() <= 0.05;
-        found = Some((fit, weights, ratio));
+        found = Some((fit, ratio));
         ratio = next;
         if is_same {
             break;
         }
     }
-    let (fit, weights, ratio) = found.ok_or(Error::NotIdentified)?;
-    let slopes = curve.slopes(at, &fit.residuals).ok_or(Error::NotIdentified)?;
-    let degrees_of_freedom = weights.len().saturating_sub(2).max(1) as f64;
-    let variance = (fit.sum / degrees_of_freedom).max(LEAST_NOISE.powi(2) / 100.0);
-    let covariance = fit.normal(&slopes).inverse().map(|inverse| inverse.map(|x| x * variance));
-    let noise = [variance.sqrt(), (variance / ratio).sqrt()];
-    let suspect = fit.residuals.iter().map(|_| false).collect();
-    Ok(Judged { at, residuals: fit.residuals, suspect, noise, covariance, degrees_of_freedom })
+    let (fit, ratio) = found.ok_or(Error::NotIdentified)?;
+    Judged::of(curve, fit, ratio).map(|(judged, _)| judged).ok_or(Error::NotIdentified)
 }
 
 /// Whether the ratio of the sum of squares without k of n values to that with them is below what chance would make of the
@@ -209,12 +223,11 @@ fn selected(curve: &ResponseCurve<'_>, start: Parameters, grid: Option<&StartGri
         let weights: Vec<f64> = places.iter().enumerate().map(weight).collect();
         let fit = descend(curve, Rule::Weighted(&weights), at)?;
         at = fit.at;
-        let slopes = curve.slopes(at, &fit.residuals).ok_or(Error::NotIdentified)?;
+        let (judged, slopes) = Judged::of(curve, fit, ratio).ok_or(Error::NotIdentified)?;
+        let Judged { fit, noise, covariance, degrees_of_freedom, .. } = &judged;
+        let (noise, covariance, degrees_of_freedom) = (*noise, *covariance, *degrees_of_freedom);
+        let variance = noise[0].powi(2);
         let count = weights.iter().filter(|w| **w > 0.0).count();
-        let degrees_of_freedom = count.saturating_sub(2).max(1) as f64;
-        let variance = (fit.sum / degrees_of_freedom).max(LEAST_NOISE.powi(2) / 100.0);
-        let covariance = fit.normal(&slopes).inverse().map(|inverse| inverse.map(|x| x * variance));
-        let noise = [variance.sqrt(), (variance / ratio).sqrt()];
         let limit = quantile(FALSE_ALARM / count as f64, degrees_of_freedom);
         let mut has_changed = false;
         // These are values outside the selection that a prediction covers. The noise of the smaller residuals
@@ -254,7 +267,7 @@ fn selected(curve: &ResponseCurve<'_>, start: Parameters, grid: Option<&StartGri
                 has_changed = true;
             }
         }
-        let next = own_noise(of_each(&fit, &weights, counts), numbers(&weights, counts));
+        let next = own_noise(of_each(fit, &weights, counts), numbers(&weights, counts));
         // At the limit of chance the weight could alternate for ever.
         if round < ROUNDS / 10 && (next / ratio).ln().abs() > 0.05 {
             ratio = next;
@@ -266,9 +279,7 @@ fn selected(curve: &ResponseCurve<'_>, start: Parameters, grid: Option<&StartGri
                 at = better.at;
                 continue;
             }
-            let suspect = places.iter().map(|place| !place.counts()).collect();
-            let CurveFit { residuals, .. } = fit;
-            return Ok(Judged { at, residuals, suspect, noise, covariance, degrees_of_freedom });
+            return Ok(judged);
         }
     }
     Err(Error::NotIdentified)

@@ -78,6 +78,13 @@ impl<'a> ResponseCurve<'a> {
         pairs().map(of_amplitude).chain(pairs().filter_map(of_phase)).collect()
     }
 
+    /// The weighted sum of squares, and which motions stop.
+    pub(super) fn sum_at(&self, weights: &[f64], parameters: Parameters) -> Option<(f64, Vec<bool>)> {
+        let motions = self.motions(parameters)?;
+        let sum = zip(self.residuals(&motions), weights).map(|(r, w)| w * r * r).sum();
+        Some((sum, motions.iter().map(|motion| motion.stops).collect()))
+    }
+
     pub(super) fn residuals_at(&self, parameters: Parameters) -> Option<Vec<f64>> {
         self.motions(parameters).map(|motions| self.residuals(&motions))
     }
@@ -348,16 +355,8 @@ impl StartGrid {
         Self(FRICTIONS.iter().map(row).collect())
     }
 
-    /// The least sum of squares found from a number of starts, the best of the grid.
-    ///
-    /// # Errors
-    /// As for [`descend`], where none of the starts leads to a minimum.
-    pub(super) fn best(
-        &self,
-        curve: &ResponseCurve<'_>,
-        rule: Rule<'_>,
-        most: usize,
-    ) -> Result<CurveFit, Error> {
+    /// The minima found from a number of starts, the best of the grid.
+    pub(super) fn minima(&self, curve: &ResponseCurve<'_>, rule: Rule<'_>, most: usize) -> Vec<CurveFit> {
         let sum = |motions: &Option<Vec<ModelMotion>>| {
             let of = |motions: &Vec<ModelMotion>| {
                 CurveFit::of(curve, rule, [0.0; 2], curve.residuals(motions)).sum
@@ -378,7 +377,20 @@ impl StartGrid {
             }
         }
         starts.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let found = starts.iter().take(most).filter_map(|(_, at)| descend(curve, rule, *at).ok());
+        starts.iter().take(most).filter_map(|(_, at)| descend(curve, rule, *at).ok()).collect()
+    }
+
+    /// The least of these minima.
+    ///
+    /// # Errors
+    /// As for [`descend`], where none of the starts leads to a minimum.
+    pub(super) fn best(
+        &self,
+        curve: &ResponseCurve<'_>,
+        rule: Rule<'_>,
+        most: usize,
+    ) -> Result<CurveFit, Error> {
+        let found = self.minima(curve, rule, most).into_iter();
         found.min_by(|a, b| a.sum.total_cmp(&b.sum)).ok_or(Error::NotIdentified)
     }
 }

@@ -1,8 +1,10 @@
 //! Tests of `identify.rs`.
 
 use super::model::motion;
-use super::search::reduced;
-use super::{Identified, Measurement, Reading, identify};
+use super::outliers::judge;
+use super::search::{ResponseCurve, reduced};
+use super::valleys::{Levels, searched};
+use super::{AmplitudeKind, Identified, Measurement, PhaseKind, Reading, identify, in_ratios};
 use crate::cycle::damped;
 use crate::cycle::damped::half_period::HalfPeriod;
 use crate::motion::{LongRun, State};
@@ -99,6 +101,21 @@ fn a_slow_body_follows_the_force() {
             reduced(slow.peak_phase - peak.phase.reduced()).abs() < 5.0 * omega,
             "{omega} {kappa} {zeta}"
         );
+    }
+}
+
+/// A region without an end is left at the bound on its nodes, and the search says so.
+#[test]
+fn a_search_without_end_is_cut() {
+    let measured = curve(3.0, 0.05, (1.2, 3.6), 8, false);
+    let body = body(3.0, 0.05);
+    let points: Vec<_> = measured.iter().map(|m| in_ratios(&body, FORCE, m).unwrap()).collect();
+    let curve = ResponseCurve::of(&points, AmplitudeKind::Peak, PhaseKind::Peak);
+    let found = judge(&curve, [0.3, 0.1], None).unwrap();
+    for (alike, is_whole) in [(2.0 * found.fit.sum, true), (f64::INFINITY, false)] {
+        let levels = Levels { least: found.fit.sum, alike, followed: alike };
+        let (lower, region) = searched(&curve, &found, Vec::new(), levels).unwrap();
+        assert!(lower.is_none() && region.is_whole == is_whole, "{alike}");
     }
 }
 

@@ -6,7 +6,8 @@
 
 use super::model::Parameters;
 use super::outliers::{Judged, judge};
-use super::search::{MeasuredPoint, ResponseCurve, Rule, StartGrid, reduced};
+use super::search::{MeasuredPoint, ResponseCurve, Rule, StartGrid, descend, reduced};
+use super::valleys::{Levels, ROUNDS, searched};
 use super::{Identified, Measurement, PhaseKind, Reading, identified, in_ratios, sample};
 use crate::design::least_squares::inverse;
 use crate::machine::error::Error;
@@ -37,6 +38,16 @@ impl Scaled {
             }
             Self::Force { body } => Ok((body, theta.exp())),
         }
+    }
+
+    /// The friction, ζ, and the natural frequency or the force, with their derivatives by (κ, ζ, θ).
+    fn quantities(&self, [kappa, zeta, theta]: [f64; 3]) -> [(f64, [f64; 3]); 3] {
+        let value = theta.exp();
+        let friction = match *self {
+            Self::Natural { force, .. } => (kappa * force, [force, 0.0, 0.0]),
+            Self::Force { .. } => (kappa * value, [value, 0.0, kappa * value]),
+        };
+        [friction, (zeta, [0.0, 1.0, 0.0]), (value, [0.0, 0.0, value])]
     }
 
     fn points(&self, curve: &[Measurement], theta: f64) -> Result<Vec<MeasuredPoint>, Error> {
@@ -82,6 +93,39 @@ struct At {
     misfit: f64,
 }
 
+impl At {
+    fn place(&self) -> [f64; 3] {
+        let [kappa, zeta] = self.judged.fit.at;
+        [kappa, zeta, self.theta]
+    }
+
+    /// The number of values that count.
+    fn counted(&self) -> f64 {
+        self.judged.suspect.iter().filter(|is_suspect| !**is_suspect).count() as f64
+    }
+
+    fn degrees_of_freedom(&self) -> f64 {
+        (self.counted() - 3.0).max(1.0)
+    }
+
+    /// The variance in units of the noise, which was estimated with two parameters fitted.
+    fn inflated(&self) -> f64 {
+        (self.counted() - 2.0).max(1.0) / self.degrees_of_freedom()
+    }
+}
+
+/// The fits at other θ.
+struct Profile {
+    /// Of friction, ζ and the unknown, at the fit.
+    covariance: [[f64; 3]; 3],
+    /// The least and the greatest of them with a sum that is alike.
+    hull: [(f64, f64); 3],
+    /// Places with sums below that of the fit.
+    lower: Vec<(f64, Parameters)>,
+    /// Whether the search came to its end.
+    is_whole: bool,
+}
+
 /// The search for θ over one reading of a curve.
 struct ScaleSearch<'a> {
     scaled: Scaled,
@@ -112,15 +156,15 @@ impl ScaleSearch<'_> {
         const STEP: f64 = 1e-5;
         let points = self.scaled.points(self.curve, at.theta).ok()?;
         let curve = ResponseCurve::of(&points, self.reading.amplitude, self.phase);
-        let slopes = curve.slopes(at.judged.at, &at.judged.residuals)?;
+        let slopes = curve.slopes(at.judged.fit.at, &at.judged.fit.residuals)?;
         let shifted = |theta: f64| {
             let points = self.scaled.points(self.curve, theta).ok()?;
-            ResponseCurve::of(&points, self.reading.amplitude, self.phase).residuals_at(at.judged.at)
+            ResponseCurve::of(&points, self.reading.amplitude, self.phase).residuals_at(at.judged.fit.at)
         };
         let (ahead, behind) = (shifted(at.theta + STEP)?, shifted(at.theta - STEP)?);
         let counts = curve.counts();
         let (mut gradient, mut matrix) = ([0.0; 3], vec![vec![0.0; 3]; 3]);
-        let rows = zip(zip(&at.judged.residuals, &at.judged.suspect), zip(slopes, zip(ahead, behind)));
+        let rows = zip(zip(&at.judged.fit.residuals, &at.judged.suspect), zip(slopes, zip(ahead, behind)));
         for (i, ((residual, is_suspect), ([by_kappa, by_zeta], (ahead, behind)))) in rows.enumerate() {
             if *is_suspect {
                 continue;
@@ -140,12 +184,94 @@ impl ScaleSearch<'_> {
         Some((gradient, matrix))
     }
 
+    /// The covariance of friction, ζ and the unknown at a fit.
+    fn covariance(&self, at: &At) -> Option<[[f64; 3]; 3]> {
+        let (_, matrix) = self.normal(at)?;
+        let inverse = inverse(&matrix)?;
+        let slopes = self.scaled.quantities(at.place()).map(|(_, slopes)| slopes);
+        let product = |a: &[f64], b: &[f64]| zip(a, b).map(|(a, b)| a * b).sum::<f64>();
+        let times =
+            slopes.map(|slopes| -> Vec<f64> { inverse.iter().map(|row| product(row, &slopes)).collect() });
+        Some(slopes.map(|a| times.each_ref().map(|b| at.inflated() * product(&a, b))))
+    }
+
+    /// The best fit found from one on: where a profile over θ shows a lower one, from there.
+    fn lowest(&self, mut at: At) -> Option<(At, Profile)> {
+        for round in 1.. {
+            let profile = self.profile(&at)?;
+            let lower = profile.lower.iter().filter_map(|(theta, start)| self.fit(*theta, Some(*start)).ok());
+            let best = lower.map(|there| self.refined(there)).min_by(|a, b| a.misfit.total_cmp(&b.misfit));
+            match best.filter(|there| there.misfit < at.misfit - LOWER) {
+                Some(lower) if round < ROUNDS => at = lower,
+                lower => {
+                    return Some((at, Profile { is_whole: profile.is_whole && lower.is_none(), ..profile }));
+                }
+            }
+        }
+        None
+    }
+
+    /// The least sums of squares at other θ, of the values that count at a fit and with their weights, in small steps as far as
+    /// they are followed.
+    fn profile(&self, at: &At) -> Option<Profile> {
+        let covariance = self.covariance(at)?;
+        let [.., (_, [.., slope])] = self.scaled.quantities(at.place());
+        let error = covariance[2][2].sqrt() / slope;
+        let variance = at.inflated() * at.judged.noise[0].powi(2);
+        let levels = Levels::above(at.judged.fit.sum, variance, at.degrees_of_freedom());
+        let hull = self.scaled.quantities(at.place()).map(|(value, _)| (value, value));
+        let mut profile = Profile { covariance, hull, lower: Vec::new(), is_whole: error.is_finite() };
+        for side in [-error, error] {
+            let (mut theta, mut step) = (at.theta, STEP);
+            let mut judged = at.judged.clone();
+            let mut count = 0_u32;
+            while step >= SMALLEST {
+                let next = theta + step * side;
+                let there = self.beside(&judged, next, levels, &mut profile);
+                match there.filter(|judged| judged.fit.sum <= levels.followed) {
+                    Some(there) if count < MOST => {
+                        (theta, judged) = (next, there);
+                        count = count.saturating_add(1);
+                    }
+                    Some(_) => {
+                        profile.is_whole = false;
+                        break;
+                    }
+                    None => step *= 0.5,
+                }
+            }
+        }
+        Some(profile)
+    }
+
+    /// The least sum of squares at θ from a fit near it, whose region is added to the profile.
+    fn beside(&self, near: &Judged, theta: f64, levels: Levels, profile: &mut Profile) -> Option<Judged> {
+        let points = self.scaled.points(self.curve, theta).ok()?;
+        let curve = ResponseCurve::of(&points, self.reading.amplitude, self.phase);
+        let fit = descend(&curve, Rule::Weighted(&near.fit.weights), near.fit.at).ok()?;
+        let found = near.moved(&curve, fit)?;
+        let (lower, region) = searched(&curve, &found, Vec::new(), levels)?;
+        profile.is_whole &= region.is_whole;
+        if let Some([kappa, zeta]) = region.hull {
+            for place in [[kappa.0, zeta.0, theta], [kappa.1, zeta.1, theta]] {
+                for ((low, high), (value, _)) in zip(&mut profile.hull, self.scaled.quantities(place)) {
+                    (*low, *high) = (low.min(value), high.max(value));
+                }
+            }
+        }
+        let found = lower.and_then(|lower| near.moved(&curve, lower)).unwrap_or(found);
+        if found.fit.sum < levels.least {
+            profile.lower.push((theta, found.fit.at));
+        }
+        Some(found)
+    }
+
     /// The least misfit from a fit on.
     fn refined(&self, mut at: At) -> At {
         for _ in 0..STEPS {
             let Some((gradient, mut matrix)) = self.normal(&at) else { break };
             // A parameter at the end of its range stays there.
-            let [kappa, zeta] = at.judged.at;
+            let [kappa, zeta] = at.judged.fit.at;
             for (i, (x, end)) in [(kappa, 0.0), (zeta, 0.0)].into_iter().enumerate() {
                 if x <= end {
                     for (j, line) in matrix.iter_mut().enumerate() {
@@ -164,7 +290,7 @@ impl ScaleSearch<'_> {
             let mut better = None;
             while step.abs() > 1e-12 && better.is_none() {
                 better = self
-                    .fit(at.theta + step, Some(at.judged.at))
+                    .fit(at.theta + step, Some(at.judged.fit.at))
                     .ok()
                     .filter(|there| there.misfit < at.misfit - 1e-9);
                 step /= 4.0;
@@ -178,6 +304,13 @@ impl ScaleSearch<'_> {
     }
 }
 
+/// The steps of a profile and the smallest step with which its end is found, in standard errors, and the greatest number of them
+/// on a side.
+const STEP: f64 = 0.35;
+const SMALLEST: f64 = 0.05;
+const MOST: u32 = 64;
+/// The decrease of the misfit that counts.
+const LOWER: f64 = 1e-9;
 /// The greatest number of steps.
 const STEPS: usize = 40;
 /// The greatest step of θ.
@@ -205,39 +338,28 @@ pub(super) fn fitted(scaled: Scaled, curve: &[Measurement], reading: Reading) ->
     let best = if some.len() == curve.len() {
         best
     } else {
-        whole.refined(whole.fit(best.theta, Some(best.judged.at))?)
+        whole.refined(whole.fit(best.theta, Some(best.judged.fit.at))?)
     };
+    let (best, profile) = whole.lowest(best).ok_or(Error::NotIdentified)?;
     let (body, force) = scaled.at(best.theta)?;
     let mut identified = identified(&body, force, curve, reading)?;
-    let (_, matrix) = whole.normal(&best).ok_or(Error::NotIdentified)?;
-    // The noise was estimated with two parameters fitted.
-    let counted = best.judged.suspect.iter().filter(|is_suspect| !**is_suspect).count() as f64;
-    let degrees_of_freedom = (counted - 3.0).max(1.0);
-    let inflated = (counted - 2.0).max(1.0) / degrees_of_freedom;
-    let covariance = inverse(&matrix).ok_or(Error::NotIdentified)?;
-    let of =
-        |i: usize, j: usize| covariance.get(i).and_then(|row| row.get(j)).map_or(f64::NAN, |x| x * inflated);
-    let (of_kappa, of_zeta, of_theta, both) = (of(0, 0), of(1, 1), of(2, 2), of(0, 2));
-    let [kappa, zeta] = best.judged.at;
-    let of_friction = match scaled {
-        Scaled::Natural { .. } => of_kappa,
-        Scaled::Force { .. } => of_kappa + 2.0 * kappa * both + kappa * kappa * of_theta,
-    };
-    let estimate = |value: f64, variance: f64, range: (f64, f64)| Estimate {
+    let greatest = if matches!(scaled, Scaled::Force { .. }) { f64::INFINITY } else { force };
+    let ranges = [greatest, f64::INFINITY, f64::INFINITY];
+    let values = zip(zip(scaled.quantities(best.place()), profile.hull), zip(profile.covariance, ranges));
+    let mut estimates = values.enumerate().map(|(i, (((value, _), hull), (row, greatest)))| Estimate {
         value,
-        standard_error: variance.max(0.0).sqrt(),
-        degrees_of_freedom,
-        range,
-    };
-    let ranges = (identified.friction_bound.range, identified.damping_ratio.range);
-    let greatest = if matches!(scaled, Scaled::Force { .. }) { f64::INFINITY } else { ranges.0.1 };
-    identified.friction_bound = estimate(kappa * force, of_friction * force * force, (0.0, greatest));
-    identified.damping_ratio = estimate(zeta, of_zeta, ranges.1);
-    let value = best.theta.exp();
-    let scale = Some(estimate(value, of_theta * value * value, (0.0, f64::INFINITY)));
+        standard_error: row.get(i).map_or(f64::NAN, |variance| variance.max(0.0).sqrt()),
+        degrees_of_freedom: best.degrees_of_freedom(),
+        range: (0.0, greatest),
+        alike: Some(hull),
+    });
+    let mut next = || estimates.next().ok_or(Error::NotIdentified);
+    identified.friction_bound = next()?;
+    identified.damping_ratio = next()?;
     match scaled {
-        Scaled::Natural { .. } => identified.natural_frequency = scale,
-        Scaled::Force { .. } => identified.force = scale,
+        Scaled::Natural { .. } => identified.natural_frequency = Some(next()?),
+        Scaled::Force { .. } => identified.force = Some(next()?),
     }
+    identified.search_is_complete &= profile.is_whole;
     Ok(identified)
 }

@@ -65,10 +65,10 @@ fn damping_and_static_friction_have_enclosures() {
         // Just below Ω = 1/(2n) with less damping the condition's maximum is beside the turning point, and the greatest
         // force beside the end.
         (0.49999, 1e-5, 1.0, 1.5),
-        (0.249999427645949737, 6.442e-7, 1.0, 240.0),
-        (0.0999999973506256881, 2.474e-8, 1.00141, 1.1),
+        (0.249_999_427_645_949_73, 6.442e-7, 1.0, 240.0),
+        (0.099_999_997_350_625_69, 2.474e-8, 1.00141, 1.1),
         (0.0624999494728, 2.15e-8, 1.0, 3921.0),
-        (0.099999999999753749, 2.148e-12, 1.0, 1.61),
+        (0.099_999_999_999_753_75, 2.148e-12, 1.0, 1.61),
         // Half a cycle of 1600 free waves.
         (3e-4, 3e-6, 1.0, 8.65),
     ]

@@ -63,6 +63,7 @@ fn a_curve_of_the_samples_is_identified() {
     assert_eq!(answer["used"].as_u64(), Some(15), "{answer}");
     assert_eq!(answer["suspects"].as_array().unwrap().len(), 1, "{answer}");
     assert_eq!(answer["residuals"].as_array().unwrap().len(), 16, "{answer}");
+    assert_eq!(answer["search_is_complete"], true, "{answer}");
     let residual = answer["residuals"][7].as_f64().unwrap();
     assert!((residual - 0.6 / 1.6).abs() < 0.02, "{answer}");
     assert!((0.004..0.025).contains(&answer["noise"].as_f64().unwrap()), "{answer}");
