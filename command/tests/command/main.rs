@@ -2,7 +2,6 @@
 
 #[path = "../command_line/mod.rs"]
 mod command_line;
-#[path = "../../../tests/compared/mod.rs"]
 mod compared;
 #[path = "../../../tests/drawn/mod.rs"]
 mod drawn;
@@ -16,7 +15,6 @@ mod place;
 mod random;
 #[path = "../../../tests/evidence/sampled.rs"]
 mod sampled;
-#[path = "../../../tests/evidence/stepped.rs"]
 mod stepped;
 #[path = "../../../tests/text_boxes/mod.rs"]
 mod text_boxes;
