@@ -171,7 +171,7 @@ def test_two_modes_couple_over_a_belt():
     own = stiffness + np.array([[0, 3 * 0.84], [0, 0]])
     roots = np.linalg.eigvals(np.block([[np.zeros((2, 2)), np.eye(2)], [-own, -damping]]))
     np.testing.assert_allclose(found["growth"], roots.real.max(), rtol=1e-9)
-    np.testing.assert_allclose(system.natural_frequencies(), np.sqrt(np.linalg.eigvals(own + 0j)).real, rtol=1e-9)
+    np.testing.assert_allclose(system.natural_angular_frequencies(), np.sqrt(np.linalg.eigvals(own + 0j)).real, rtol=1e-9)
     # The product of the entries beside the diagonal is −1 at 5/6 without dampers.
     np.testing.assert_allclose(found["threshold"]["coefficient"], 5 / 6 + 0.0004, rtol=1e-9)
     assert found["threshold"]["kind"] == "flutter" and by_names().sliding() is None
