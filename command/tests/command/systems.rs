@@ -316,10 +316,10 @@ fn a_long_motion_of_a_large_system_is_refused_at_once() {
     });
     std::fs::write(&file, system.to_string()).unwrap();
     let line = format!("system {}", file.display());
-    // The state has 60 displacements, 60 velocities, sine, cosine and 1: 512·10⁶/123² steps.
+    // The state has 60 displacements, 60 velocities, sine, cosine and 1: 512·10⁶/(123·120) steps.
     refused(
         &format!("{line} simulate --until 40000"),
-        &["--until 40000: must be ≤ 33", "33842 steps of the fastest"],
+        &["--until 40000: must be ≤ 34", "34688 steps of the fastest"],
     );
     stdout(&format!("{line} simulate --until 1"));
 }
