@@ -49,10 +49,17 @@ impl<F: Float> Slide<F> {
     /// [`Lost`].
     #[inline]
     pub(crate) fn velocity_zero(&self, hint: F) -> Result<VelocityZero<F>, Lost> {
-        if self.equation.alpha * F::int(8) <= F::epsilon()
-            && let Some(end) = self.end_of_creep()
-        {
-            return Ok(end);
+        if self.equation.alpha * F::int(8) <= F::epsilon() {
+            if let Some(end) = self.end_of_creep() {
+                return Ok(end);
+            }
+            let least = F::exp2i(-960);
+            if self.equation.alpha > F::int(0) && self.equation.alpha < least {
+                // A forced wave of subnormal numbers has a sign of rounding. One that has digits moves nothing either.
+                let mut slide = *self;
+                slide.equation.alpha = least;
+                return slide.velocity_zero(hint);
+            }
         }
         match self.ends(hint, None)? {
             Outcome::Zero(zero) => Ok(zero),

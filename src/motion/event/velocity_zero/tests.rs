@@ -165,6 +165,28 @@ fn a_drive_that_cannot_be_seen_costs_nothing() {
     }
 }
 
+/// A force of subnormal size is none beside the friction: the body turns and rests where it does under another that is none.
+#[test]
+fn a_subnormal_drive_moves_no_turn() {
+    for (zeta, phase) in
+        [(0.999_999_992_549_419_4, 1.888_937_940_739_511), (0.9, 3.0), (0.3, 5.0), (1.5, 2.0)]
+    {
+        let of = |alpha: f64| {
+            let ratios = Ratios::new(2.543_105_640_608_311e-5, alpha).unwrap();
+            let ratios = ratios.with_damping_ratio(zeta).unwrap();
+            let start = State::new(phase, -14.702_321_287_408_08, -17.870_169_125_467_115).unwrap();
+            let slides = Trajectory::new(ratios, start).unwrap().take(3);
+            slides
+                .map(|slide| slide.map(|slide| (slide.kind, slide.start().x)))
+                .collect::<Result<Vec<_>, _>>()
+        };
+        let due = of(1e-280).unwrap();
+        for alpha in [5e-324, 2.1059e-319, 1e-310, 1e-300] {
+            assert_eq!(of(alpha).unwrap(), due, "{zeta} {phase} {alpha:e}");
+        }
+    }
+}
+
 #[test]
 fn the_error_names_the_slide() {
     let equation = Equation::new(Ratios::new(0.7, 2.5).unwrap());
