@@ -18,7 +18,7 @@ use super::dependent::facets;
 use super::equation::{Equation, Mode, fastest, pressing, sign};
 use super::first_passage::{bernstein_of_rows, integer};
 use super::matrix::{Matrix, Sparse, add_times, dot, is_small};
-use super::propagator::{Bound, Powers, Propagator, exponential};
+use super::propagator::{Bound, Propagator, exponential};
 use crate::float::Float;
 use alloc::vec;
 use alloc::vec::Vec;
@@ -104,8 +104,8 @@ pub(crate) struct Branch<F> {
     pub(crate) step: F,
     /// e^{Ah}.
     pub(crate) whole: Propagator<F>,
-    /// The terms of a small matrix.
-    terms: Powers<F>,
+    /// The terms of the series of a small matrix.
+    terms: Option<Propagator<F>>,
     /// e^{|A|h}.
     bound: Bound<F>,
     /// The degree of full accuracy.
@@ -173,11 +173,6 @@ impl<F: Float> Series<'_, F> {
         terms
     }
 
-    /// `|row| e^{|A|h}`.
-    fn bounded(&self, row: &[F]) -> Vec<F> {
-        self.bound.of(row)
-    }
-
     /// The error bound of a row's polynomial of full degree.
     fn error(&self, row: &[F]) -> Vec<F> {
         let terms = self.terms(row, self.degree + 1);
@@ -187,7 +182,7 @@ impl<F: Float> Series<'_, F> {
     /// The row of the rounding.
     fn rounding(&self, row: &[F]) -> Vec<F> {
         let count = integer::<F>((self.degree + 1) * (row.len() + 3)) * F::epsilon();
-        self.bounded(row).into_iter().map(|x| x * count).collect()
+        self.bound.of(row).into_iter().map(|x| x * count).collect()
     }
 
     /// The error bound where the term with this number is the first that is left out.
@@ -195,7 +190,7 @@ impl<F: Float> Series<'_, F> {
         let mut error = rounding.to_vec();
         let size = rounding.len();
         if let Some(rest) = terms.get(first * size..(first + 1) * size) {
-            add_times(&mut error, F::int(1), &self.bounded(rest));
+            add_times(&mut error, F::int(1), &self.bound.of(rest));
         }
         error
     }
@@ -259,13 +254,8 @@ impl<F: Float> Branch<F> {
         }
         let hull = Hull::new(system.size, all.iter().zip(low).map(|(terms, error)| Terms { terms, error }));
         let speed_errors = vec![OnceCell::new(); modes.len()];
-        let mut terms = Powers::none();
-        let is_small = is_small::<F>(system.size);
-        let whole = Propagator::new(&transposed, system.free, step, degree, |term, is_free| {
-            if is_small {
-                terms.push(term, is_free);
-            }
-        });
+        let mut terms = is_small::<F>(system.size).then(|| Propagator::zero(0, 0));
+        let whole = Propagator::new(&transposed, system.free, step, degree, terms.as_mut());
         let modes = modes.to_vec();
         Self { modes, a, transposed, step, whole, terms, bound, degree, guards, speed_errors, hull, tension }
     }
@@ -276,7 +266,8 @@ impl<F: Float> Branch<F> {
             self.guards.iter().map(|guard| guard.taylor.entries() + 2 * guard.row.len()).sum::<usize>();
         let speeds = self.speed_errors.len() * self.whole.free.rows().count();
         let hull = self.hull.coefficients.entries() + self.hull.errors.entries();
-        let entries = self.whole.entries() + self.terms.entries() + self.bound.entries() + hull;
+        let terms = self.terms.as_ref().map_or(0, Propagator::entries);
+        let entries = self.whole.entries() + terms + self.bound.entries() + hull;
         let tension = self.tension.iter().map(Vec::len).sum::<usize>();
         let sparse = 4 * self.a.rows().map(<[_]>::len).sum::<usize>();
         (guards + speeds + entries + tension + sparse) * size_of::<F>()
@@ -324,14 +315,12 @@ impl<F: Float> Branch<F> {
 
     /// (e^{At})ᵀ for the first states, which no others depend on, over a time t ≤ h.
     pub(crate) fn free_motion(&self, time: F, free: usize) -> Matrix<F> {
-        exponential(&self.transposed, Matrix::identity(free), time, self.degree_over(time), |_| {})
+        exponential(&self.transposed, Matrix::identity(free), time, self.degree_over(time), None)
     }
 
     /// e^{At} over a time t ≤ h, where the matrix is small: whether it is. `powers` is a buffer.
     pub(crate) fn motion(&self, time: F, powers: &mut Vec<F>, motion: &mut Propagator<F>) -> bool {
-        if self.terms.is_none() {
-            return false;
-        }
+        let Some(terms) = &self.terms else { return false };
         let part = time / self.step;
         let mut power = F::int(1);
         powers.clear();
@@ -340,7 +329,7 @@ impl<F: Float> Branch<F> {
             power = power * part;
             powers.push(power);
         }
-        self.terms.sum(powers, motion);
+        terms.sum_of_terms(powers, motion);
         true
     }
 

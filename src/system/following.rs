@@ -227,28 +227,40 @@ impl<'a, F: Float> Following<'a, F> {
             }
         };
         let kind = self.kind(&motion);
-        let is_still = matches!(kind, SteadyKind::Rest | SteadyKind::Uniform);
-        let period = if is_still && !loads { F::int(0) } else { self.map.period * integer(multiple) };
-        let mean = |by: F| if stays { F::int(0) } else { by / motion.duration };
-        let mean_velocity = fixed.mapped.drift.iter().map(|&by| mean(by)).collect();
         let mut drift = fixed.mapped.drift;
-        if stays || period == F::int(0) {
+        if stays {
             drift.fill(F::int(0));
         }
-        let (change, decay, followed) = (fixed.by, F::int(0), self.followed);
-        Ok(Steady {
+        let mut found = self.over(kind, (start, motion), multiple, drift);
+        if matches!(kind, SteadyKind::Rest | SteadyKind::Uniform) && !loads {
+            found.period = F::int(0);
+            found.drift.fill(F::int(0));
+        }
+        Ok(Steady { multipliers, change: fixed.by, ..found })
+    }
+
+    /// The answers over so many periods, with the drift in them.
+    fn over(
+        &self,
+        kind: SteadyKind,
+        (start, motion): Answers<F>,
+        multiple: usize,
+        drift: Vec<F>,
+    ) -> Steady<F> {
+        let period = self.map.period * integer(multiple);
+        Steady {
             kind,
             period,
             periods: multiple,
             start,
             motion,
+            mean_velocity: drift.iter().map(|&by| by / period).collect(),
             drift,
-            mean_velocity,
-            multipliers,
-            change,
-            decay,
-            followed,
-        })
+            multipliers: Vec::new(),
+            change: F::int(0),
+            decay: F::int(0),
+            followed: self.followed,
+        }
     }
 
     /// The kind of a motion that repeats itself.
@@ -268,31 +280,15 @@ impl<'a, F: Float> Following<'a, F> {
 
     /// The answers where the motion has not settled.
     pub(super) fn unsettled(&mut self, grows: bool, change: F, decay: F) -> Result<Steady<F>, Error> {
-        let states: Vec<Vec<F>> = self.states.iter().cloned().collect();
-        let (start, motion) = self.last_finite(&states)?;
+        let answers = self.last_finite()?;
         let kind = if grows { SteadyKind::Growing } else { SteadyKind::Unsettled };
-        let (period, drift, followed) = (self.map.period, self.drift.clone(), self.followed);
-        let mean_velocity = drift.iter().map(|&by| by / period).collect();
-        let multipliers = Vec::new();
-        Ok(Steady {
-            kind,
-            period,
-            periods: 1,
-            start,
-            motion,
-            drift,
-            mean_velocity,
-            multipliers,
-            change,
-            decay,
-            followed,
-        })
+        Ok(Steady { change, decay, ..self.over(kind, answers, 1, self.drift.clone()) })
     }
 
     /// The answers of the latest period that, with its energy, stays within the range of numbers.
-    fn last_finite(&mut self, states: &[Vec<F>]) -> Result<Answers<F>, Error> {
+    fn last_finite(&mut self) -> Result<Answers<F>, Error> {
         let mut last = Err(Error::Unbounded { time: written(self.map.period) });
-        for from in states.iter().rev() {
+        for from in self.states.iter().rev() {
             last = self.map.observed(Some(from), 1);
             match &last {
                 Ok((_, motion)) => {

@@ -196,7 +196,8 @@ impl<F: Float> Sparse<F> {
 
     /// `Σ |aⱼ xⱼ|` of a row.
     pub(crate) fn size_of(&self, row: usize, x: &[F]) -> F {
-        let row = self.rows().nth(row).unwrap_or(&[]);
+        let from = row.checked_sub(1).and_then(|above| self.ends.get(above)).copied().unwrap_or(0);
+        let row = self.ends.get(row).and_then(|&to| self.entries.get(from..to)).unwrap_or(&[]);
         row.iter().filter_map(|&(j, a)| Some((a * *x.get(j)?).abs())).fold(F::int(0), |sum, x| sum + x)
     }
 

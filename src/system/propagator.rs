@@ -24,23 +24,30 @@ impl<F: Float> Propagator<F> {
         Self { free: Matrix::zero(size, free), given: Matrix::zero(size - free, 2) }
     }
 
-    /// The series of `(e^{At})ᵀ` from Aᵀ, for a matrix whose absolute values have a spectral radius of at most 1/t. `each` sees its
-    /// terms, those of the free states first.
+    /// The series of `(e^{At})ᵀ` from Aᵀ, for a matrix whose absolute values have a spectral radius of at most 1/t. Its terms are
+    /// put into `terms`, where there is a place for them.
     pub(crate) fn new(
         transposed: &Sparse<F>,
         free: usize,
         time: F,
         degree: usize,
-        mut each: impl FnMut(&Matrix<F>, bool),
+        terms: Option<&mut Self>,
     ) -> Self {
         let mut zero = Self::zero(transposed.rows().count(), free);
         (0..free).for_each(|i| zero.free.set(i, i, F::int(1)));
         let given = transposed.square_from(free);
         (0..given.rows().count()).for_each(|i| zero.given.set(i, i % 2, F::int(1)));
+        let (of_free, of_given) = terms.map(|terms| (&mut terms.free, &mut terms.given)).unzip();
         Self {
-            free: exponential(transposed, zero.free, time, degree, |term| each(term, true)),
-            given: exponential(&given, zero.given, time, degree, |term| each(term, false)),
+            free: exponential(transposed, zero.free, time, degree, of_free),
+            given: exponential(&given, zero.given, time, degree, of_given),
         }
+    }
+
+    /// The sum of the terms of a series, which are in this one, each by its factor.
+    pub(crate) fn sum_of_terms(&self, factors: &[F], result: &mut Self) {
+        self.free.sum_of_pushed(factors, &mut result.free);
+        self.given.sum_of_pushed(factors, &mut result.given);
     }
 
     /// `e^{At} z`.
@@ -95,7 +102,7 @@ pub(crate) struct Bound<F> {
 impl<F: Float> Bound<F> {
     /// By |A|ᵀ. The series is cut: what is left out is below a unit of its terms.
     pub(crate) fn new(sizes: &Sparse<F>, free: usize, time: F, degree: usize) -> Self {
-        let Propagator { free, given } = Propagator::new(sizes, free, time, degree, |_, _| {});
+        let Propagator { free, given } = Propagator::new(sizes, free, time, degree, None);
         let more = |x: F| x + x * F::ratio(1, 64);
         Self { free: free.transposed().map(more), given: given.map(more) }
     }
@@ -125,55 +132,27 @@ impl<F: Float> Bound<F> {
     }
 }
 
-/// The terms `(Aᵏ hᵏ/k!)ᵀ` of a propagator over a whole step, for those over its parts.
-#[derive(Debug, Clone)]
-pub(crate) struct Powers<F> {
-    free: Matrix<F>,
-    given: Matrix<F>,
-}
-
-impl<F: Float> Powers<F> {
-    pub(crate) fn none() -> Self {
-        Self { free: Matrix::zero(0, 0), given: Matrix::zero(0, 0) }
-    }
-
-    /// One more term, of the free states or of those given.
-    pub(crate) fn push(&mut self, term: &Matrix<F>, is_free: bool) {
-        if is_free { self.free.push(term) } else { self.given.push(term) }
-    }
-
-    pub(crate) const fn is_none(&self) -> bool {
-        self.free.columns() == 0
-    }
-
-    /// The sum of the terms, each by its factor.
-    pub(crate) fn sum(&self, factors: &[F], result: &mut Propagator<F>) {
-        self.free.sum_of_pushed(factors, &mut result.free);
-        self.given.sum_of_pushed(factors, &mut result.given);
-    }
-
-    /// The number of its entries in memory.
-    pub(crate) const fn entries(&self) -> usize {
-        self.free.entries() + self.given.entries()
-    }
-}
-
-/// `e^{At} X` by the series, from X. `each` sees its terms.
+/// `e^{At} X` by the series, from X, whose terms are pushed to `terms`.
 pub(crate) fn exponential<F: Float>(
     a: &Sparse<F>,
     x: Matrix<F>,
     time: F,
     degree: usize,
-    mut each: impl FnMut(&Matrix<F>),
+    mut terms: Option<&mut Matrix<F>>,
 ) -> Matrix<F> {
     let mut sum = x;
     let (mut term, mut next) = (sum.clone(), sum.clone());
-    each(&term);
+    let mut keep = |term: &Matrix<F>| {
+        if let Some(terms) = &mut terms {
+            terms.push(term);
+        }
+    };
+    keep(&term);
     for k in 1..=degree {
         a.times(&term, time / integer(k), &mut next);
         core::mem::swap(&mut term, &mut next);
         sum.plus(&term);
-        each(&term);
+        keep(&term);
     }
     sum
 }

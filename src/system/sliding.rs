@@ -90,9 +90,8 @@ impl<F: Float> Assembly<F> {
         stiffness
     }
 
-    /// The greatest growth of a disturbance, and its frequency, with a factor of the coefficients.
-    fn growth(&self, root: &Matrix<F>, factor: F) -> Option<Growth> {
-        let n = self.n;
+    /// C with the slopes of the laws of the contacts that slide on travelling sides.
+    fn sliding_damping(&self) -> Matrix<F> {
         let mut damping = self.damping.clone();
         for part in &self.parts {
             let Some((.., slope)) = part.sliding() else { continue };
@@ -100,12 +99,18 @@ impl<F: Float> Assembly<F> {
                 add_times(damping.row_mut(row), slope * b, &part.direction);
             }
         }
-        let scaled = |matrix: &Matrix<F>| root.times(matrix).times(root);
-        let (stiffness, damping) = (scaled(&self.sliding_stiffness(factor, &[])), scaled(&damping));
+        damping
+    }
+
+    /// The greatest growth of a disturbance, and its frequency, with a factor of the coefficients, by M^(−1/2) and by the damping
+    /// between two of it.
+    fn growth(&self, root: &Matrix<F>, damping: &Matrix<F>, factor: F) -> Option<Growth> {
+        let n = self.n;
+        let stiffness = root.times(&self.sliding_stiffness(factor, &[])).times(root);
         let most =
             |matrix: &Matrix<F>| matrix.rows().flatten().fold(F::int(0), |most, x| most.or_larger(x.abs()));
         // Times in units of the fastest motion, so that the entries are of one size.
-        let rate = most(&stiffness).sqrt().or_larger(most(&damping));
+        let rate = most(&stiffness).sqrt().or_larger(most(damping));
         let rate = if rate > F::int(0) { rate } else { F::int(1) };
         let mut matrix = Matrix::zero(2 * n, 2 * n);
         for i in 0..n {
@@ -149,7 +154,8 @@ impl<F: Float> System<F> {
             return None;
         }
         let root = system.inverse_root_of_mass();
-        let at = |factor: f64| system.growth(&root, F::from_f64(factor));
+        let damping = root.times(&system.sliding_damping()).times(&root);
+        let at = |factor: f64| system.growth(&root, &damping, F::from_f64(factor));
         let (here, frictionless) = (at(1.0)?, at(0.0)?);
         // With dampers everywhere the growth passes through 0, otherwise it leaves 0.
         let enough = if frictionless.growth < -ROUNDING { 0.0 } else { ROUNDING };

@@ -7,7 +7,7 @@
 use super::model::Parameters;
 use super::outliers::{Judged, judge};
 use super::search::{MeasuredPoint, ResponseCurve, Rule, StartGrid, descend, reduced};
-use super::valleys::{Levels, ROUNDS, searched};
+use super::valleys::{Levels, ROUNDS, STEP, searched};
 use super::{Identified, Measurement, PhaseKind, Reading, identified, in_ratios, sample};
 use crate::design::least_squares::inverse;
 use crate::machine::error::Error;
@@ -304,9 +304,7 @@ impl ScaleSearch<'_> {
     }
 }
 
-/// The steps of a profile and the smallest step with which its end is found, in standard errors, and the greatest number of them
-/// on a side.
-const STEP: f64 = 0.35;
+/// The smallest step with which the end of a profile is found, in standard errors, and the greatest number of steps on a side.
 const SMALLEST: f64 = 0.05;
 const MOST: u32 = 64;
 /// The decrease of the misfit that counts.

@@ -19,8 +19,8 @@ use num_traits::Float as _;
 pub(super) const ROUNDS: usize = 8;
 /// The relative decrease of a sum that counts.
 const LOWER: f64 = 1e-9;
-/// The distance of neighbours on the lattice, in standard errors.
-const STEP: f64 = 0.35;
+/// The distance of neighbours on the lattice, and of those of a profile over an unknown, in standard errors.
+pub(super) const STEP: f64 = 0.35;
 /// The smallest step with which the ends of a region are found, in steps of the lattice, and the greatest number of moves.
 const SMALLEST: f64 = 1.0 / 16.0;
 const MOVES: usize = 64;
