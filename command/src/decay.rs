@@ -44,7 +44,7 @@ fn respond<F: Value>(args: &DecayArgs, out: &mut impl Write) -> Outcome {
     let reader = args.answer.units.reader();
     let given = input::read::<F>(&args.machine, &reader)?;
     let surface = Surface::read(&args.surface, &reader)?;
-    if surface.is_special() || given.is_without_friction() && given.is_physical() {
+    if surface.is_special(&given) || given.is_without_friction() && given.is_physical() {
         return special::respond(args, given, &surface, out);
     }
     if given.has_role(Role::Friction) && given.one_of(Role::Spring)?.is_none() && !given.has(Input::Omega) {

@@ -126,7 +126,8 @@ pub(crate) fn with_any_mass<F: Value>(given: &Given<F>) -> Cow<'_, Given<F>> {
     let is_one = |role: Role, inputs: &[Input]| {
         Input::of_role(role).into_iter().all(|input| !given.has(input) || inputs.contains(&input))
     };
-    let natural = [Input::Period, Input::NaturalFrequency, Input::PendulumRadius];
+    let mut natural = vec![Input::Period, Input::NaturalFrequency, Input::PendulumRadius];
+    natural.extend(given.is_without_spring().then_some(Input::Stiffness));
     let base = [
         Input::Alpha,
         Input::BaseAcceleration,
@@ -136,7 +137,7 @@ pub(crate) fn with_any_mass<F: Value>(given: &Given<F>) -> Cow<'_, Given<F>> {
         Input::DampedFootDisplacement,
     ];
     let cancels = given.has(Input::FrictionCoefficient)
-        && natural.into_iter().any(|input| given.has(input))
+        && natural.iter().copied().any(|input| given.has(input))
         && is_one(Role::Mass, &[])
         && is_one(Role::Spring, &natural)
         && is_one(Role::Friction, &[Input::FrictionCoefficient])
@@ -169,7 +170,12 @@ pub(crate) fn has_unit_mass<F: Value>(typed: &[(Input, String)], given: &mut Giv
         Input::DampingRatio,
         Input::StaticFrictionRatio,
     ];
-    let needs_none = |input: &Input| WITHOUT_MASS.contains(input) || input.role() == Role::Drive;
+    let is_free = given.is_without_spring();
+    let needs_none = |input: &Input| {
+        WITHOUT_MASS.contains(input)
+            || input.role() == Role::Drive
+            || is_free && *input == Input::Stiffness
+    };
     let cancels = typed.iter().all(|(input, _)| needs_none(input));
     if cancels {
         given.set(Input::Mass, F::int(1));
@@ -197,8 +203,13 @@ pub(crate) fn note_frictionless<F: Value>(given: &Given<F>) {
     }
 }
 
-/// Refuses friction 0 where limits are searched by their starts: a linear motion has but one.
+/// Refuses friction 0 where limits are searched by their starts: a linear motion has but one. Without a spring the limits
+/// have every place.
 pub(crate) fn refuse_frictionless<F: Value>(given: &Given<F>) -> Result<(), Failure> {
+    if given.is_without_spring() {
+        let label = given.label(Input::Stiffness);
+        return Err(format!("{label}: must be > 0. Without a spring a limit has any place").into());
+    }
     if !given.is_without_friction() {
         return Ok(());
     }

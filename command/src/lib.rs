@@ -22,6 +22,7 @@ mod columns;
 mod curve;
 mod decay;
 mod design;
+mod drifting;
 #[cfg(test)]
 #[path = "../../tests/drawn/mod.rs"]
 mod drawn;

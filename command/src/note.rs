@@ -11,7 +11,7 @@ use stickslip::inputs::{Driven, Given, Input, Role};
 use stickslip::motion::SteadyOutput;
 use stickslip::words;
 use stickslip::{Cycle, Excitation, Measure, Output, PhaseFunction, Regime, Response, Scales};
-use stickslip_front::frictionless::{is_of_friction, without_friction};
+use stickslip_front::without::{is_of_friction, is_of_spring, without_friction};
 
 use force::needed_force;
 pub(crate) use force::{border, no_stop};
@@ -53,15 +53,17 @@ impl<'a, F: Value, W: Write> Note<'a, F, W> {
     pub(crate) fn both(&self, measure: Measure, x: F) -> String {
         let scale = self.scales.map(|scales| measure.size(scales));
         if let (true, Some(scale)) = (self.is_without(measure), scale) {
-            let value = digits(without_friction(measure, x) * scale);
+            let x = if self.given.is_without_friction() { without_friction(measure, x) } else { x };
+            let value = digits(x * scale);
             return format!("{value} {}", self.given.system.name(measure.kind()));
         }
         both(x, measure.unit(), scale, &self.given.system.name(measure.kind()))
     }
 
-    /// Whether a quantity has no unit in ratios, because there is no friction.
+    /// Whether a quantity has no unit in ratios, because there is no friction or no spring.
     fn is_without(&self, measure: Measure) -> bool {
         self.given.is_without_friction() && is_of_friction(measure)
+            || self.given.is_without_spring() && is_of_spring(measure)
     }
 
     /// A line with a number.
@@ -93,11 +95,14 @@ pub(crate) fn response<F: Value>(
         _ => words::verdict(response),
     };
     writeln!(note.out, "{}\n", style::verdict(&verdict))?;
-    note.line("frequency ratio Ω", digits(omega))?;
+    let has_spring = !note.given.is_without_spring();
+    if has_spring {
+        note.line("frequency ratio Ω", digits(omega))?;
+    }
     if has_friction {
         note.line("force ratio α", digits(note.given.drive_as_given(alpha)))?;
     }
-    if response.ratios.is_damped() {
+    if response.ratios.is_damped() && has_spring {
         note.line("damping ratio ζ", digits(response.ratios.damping_ratio()))?;
     }
     if response.ratios.has_higher_static_friction() {
@@ -146,9 +151,16 @@ fn of_machine<F: Value>(given: &Given<F>, machine: &Driven<F>, out: &mut impl Wr
         format!("{:<22} = {hertz} Hz", with_unit(x, "rad/s"))
     };
     line(out, "forcing frequency ω_d", frequency(drive.angular_frequency()))?;
-    line(out, "natural frequency ω_n", frequency(oscillator.natural_frequency()))?;
+    let has_spring = !given.is_without_spring();
+    if has_spring {
+        line(out, "natural frequency ω_n", frequency(oscillator.natural_frequency()))?;
+    }
     line(out, "mass m", mass(oscillator.mass(), system))?;
-    line(out, "stiffness k", with_unit(oscillator.stiffness(), &system.name(Kind::Stiffness)))?;
+    if has_spring {
+        line(out, "stiffness k", with_unit(oscillator.stiffness(), &system.name(Kind::Stiffness)))?;
+    } else {
+        line(out, "stiffness k", "0, no spring")?;
+    }
     let bound = digits(given.friction_as_given(oscillator.friction_bound()));
     match given.directional_friction() {
         Ok(Some((forward, backward))) => {
@@ -172,13 +184,13 @@ fn of_machine<F: Value>(given: &Given<F>, machine: &Driven<F>, out: &mut impl Wr
         "force amplitude p₀",
         with_unit(given.drive_as_given(drive.force_amplitude(oscillator)), force),
     )?;
-    if !given.is_without_friction() {
+    if has_spring && !given.is_without_friction() {
         line(out, "friction displacement B", with_unit(scales.length, length))?;
     }
     if let Some(force) = given.get(Input::MeanForce) {
         writeln!(out, "  mean force p̄             {} {}", digits(force), system.force())?;
     }
-    if given.is_shifted() {
+    if has_spring && given.is_shifted() {
         mean_displacement(scales.mean_displacement, system, out)?;
     }
     Ok(())
@@ -210,6 +222,9 @@ pub(crate) fn mean_displacement<F: Value>(mean: F, system: &System, out: &mut im
 impl<F: Value, W: Write> Note<'_, F, W> {
     /// The greatest force in the spring.
     pub(crate) fn in_spring(&mut self, name: &str, force: F) -> io::Result<()> {
+        if self.given.is_without_spring() {
+            return Ok(());
+        }
         self.number(name, Measure::Force, force)?;
         if self.given.is_shifted() {
             writeln!(
@@ -236,6 +251,9 @@ pub(crate) fn measured_from<F: Value>(
     machine: Option<&Driven<F>>,
     out: &mut impl Write,
 ) -> io::Result<()> {
+    if given.is_without_spring() {
+        return writeln!(out, "Displacements are measured from the middle of the motion.");
+    }
     let Some(machine) = machine.filter(|_| given.is_shifted()) else { return Ok(()) };
     let (mean, unit) = (digits(machine.scales.mean_displacement), given.system.length());
     writeln!(out, "Displacements are measured from the mean displacement of {mean} {unit}.")
@@ -260,8 +278,11 @@ fn motion<F: Value>(
     if let Some(absolute) = absolute.filter(|_| note.is_driven(Excitation::carries_surface)) {
         note.number("absolute displacement", Measure::Length, absolute)?;
     }
-    let amplification = digits(cycle.max_displacement / cycle.ratios.alpha());
-    note.line("dynamic amplification", format_args!("k Δ₀/p₀ = {amplification}"))?;
+    let has_spring = !note.given.is_without_spring();
+    if has_spring {
+        let amplification = digits(cycle.max_displacement / cycle.ratios.alpha());
+        note.line("dynamic amplification", format_args!("k Δ₀/p₀ = {amplification}"))?;
+    }
     note.line("a disturbance", decay(cycle.contraction(), "half a cycle"))?;
     writeln!(note.out, "\nDissipation in a cycle")?;
     let given = note.given;
@@ -273,10 +294,12 @@ fn motion<F: Value>(
     if cycle.ratios.is_damped() {
         note.number("energy of the damper", Measure::Work, cycle.damper_work())?;
     }
-    note.line(
-        "energy over p₀²/(2k)",
-        format_args!("A₁ = {}", digits(friction_part(cycle.loop_size_stiffness()))),
-    )?;
+    if has_spring {
+        note.line(
+            "energy over p₀²/(2k)",
+            format_args!("A₁ = {}", digits(friction_part(cycle.loop_size_stiffness()))),
+        )?;
+    }
     note.line(
         "energy over p₀²/(2mω_d²)",
         format_args!("A₂ = {}", digits(friction_part(cycle.loop_size_inertia()))),
@@ -291,7 +314,8 @@ pub(crate) fn equivalent<F: Value>(
     if let Some(damping) = of(Output::EquivalentDamping, SteadyOutput::EquivalentDamping) {
         note.number("equivalent damping c_eq", Measure::Damping, damping)?;
     }
-    if let Some(ratio) = of(Output::EquivalentDampingRatio, SteadyOutput::EquivalentDampingRatio) {
+    let ratio = of(Output::EquivalentDampingRatio, SteadyOutput::EquivalentDampingRatio);
+    if let Some(ratio) = ratio.filter(|_| !note.given.is_without_spring()) {
         note.line("  damping ratio ζ_eq", digits(ratio))?;
     }
     if let Some(stiffness) = of(Output::EquivalentStiffness, SteadyOutput::EquivalentStiffness) {

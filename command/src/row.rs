@@ -12,7 +12,7 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::{self, Write};
 use stickslip::inputs::{Driven, Given, Point, Role};
 use stickslip::{Column, Measure, NoStop, Output, Ratios, Response, When};
-use stickslip_front::frictionless::{is_of_friction, without_friction};
+use stickslip_front::without::{is_of_friction, is_of_spring, needs_spring, without_friction};
 
 pub(crate) use cell::{Cell, Number};
 
@@ -160,19 +160,39 @@ impl<F: Value> Cells<F> {
                 *x = without_friction(key.measure, *x);
             }
         }
+        let has_spring = !given.is_without_spring();
+        for (_, cell) in self.fields.iter_mut().filter(|(key, _)| !has_spring && needs_spring(key)) {
+            *cell = Cell::Number(None);
+        }
         self.physical = physical(given, machine).with(&self.fields, machine.drive.excitation(), size);
         let row = self.shown();
+        let row = if has_spring { row } else { row.without_units_of_spring() };
         let row = if has_friction { row } else { row.without_units_of_friction() };
         row.finite().map_err(|e| behind_all(given, e))
     }
 }
 
+/// Whether a column is a displacement or a velocity of `simulate`, in ratios.
+fn is_state(key: Key) -> bool {
+    matches!(key.name, "x" | "v" | "end_x" | "end_v")
+}
+
 impl Row {
     /// The row of a body without friction: values in units of the friction do not exist.
     pub(crate) fn without_units_of_friction(mut self) -> Self {
-        let is_state = |key: Key| matches!(key.name, "x" | "v" | "end_x" | "end_v");
         for (key, cell) in &mut self.fields {
             if is_of_friction(key.measure) || is_state(key) {
+                *cell = cell.blank();
+            }
+        }
+        self
+    }
+
+    /// The row of a body without a spring: values in units of the spring do not exist.
+    pub(crate) fn without_units_of_spring(mut self) -> Self {
+        for (key, cell) in &mut self.fields {
+            let is_ratio = [OMEGA, DAMPING_RATIO].contains(key);
+            if is_ratio || is_of_spring(key.measure) || is_state(key) {
                 *cell = cell.blank();
             }
         }

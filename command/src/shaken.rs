@@ -53,14 +53,13 @@ impl<F: Value> Shaken<F> {
 /// The surface that a body slides on.
 pub(crate) struct Surface<F> {
     slope: Option<F>,
-    has_spring: bool,
     is_one_way: bool,
 }
 
 impl<F: Value> Surface<F> {
     /// Whether the body is no oscillator: without a spring, on a slope, or one that moves one way.
-    pub(crate) const fn is_special(&self) -> bool {
-        self.slope.is_some() || !self.has_spring || self.is_one_way
+    pub(crate) fn is_special(&self, given: &Given<F>) -> bool {
+        self.slope.is_some() || given.is_without_spring() || self.is_one_way
     }
 
     /// Whether the body lies on a slope.
@@ -79,7 +78,7 @@ impl<F: Value> Surface<F> {
             }
             Ok(slope)
         });
-        Ok(Self { slope: slope.transpose()?, has_spring: !args.no_spring, is_one_way: args.one_way })
+        Ok(Self { slope: slope.transpose()?, is_one_way: args.one_way })
     }
 
     /// The displacement and the velocity at the start, typed in units.
@@ -96,16 +95,9 @@ impl<F: Value> Surface<F> {
 
     /// The body of the given inputs on this surface.
     pub(crate) fn body(&self, given: &Given<F>) -> Result<Body<F>, Failure> {
-        match (given.one_of(Role::Spring)?, self.has_spring) {
-            (None, true) if !given.has(Input::YieldAcceleration) => {
-                let missing = given.missing(&Input::of_role(Role::Spring));
-                return Err(format!("{missing}. A body without a spring has --no-spring").into());
-            }
-            (Some((spring, _)), false) => {
-                let spring = given.label(spring);
-                return Err(format!("{spring}: must be left out with --no-spring").into());
-            }
-            _ => {}
+        if given.one_of(Role::Spring)?.is_none() && !given.has(Input::YieldAcceleration) {
+            let missing = given.missing(&Input::of_role(Role::Spring));
+            return Err(format!("{missing}. A body without a spring has --no-spring").into());
         }
         let body = Body::given(given, self.slope)?;
         Ok(if self.is_one_way { body.one_way() } else { body })

@@ -54,7 +54,6 @@ fn write<F: Value>(args: &SimulateArgs, format: StreamFormat, out: &mut impl Wri
     let of_shapes = [
         ("--rise", args.rise.is_some()),
         ("--speed", args.speed.is_some()),
-        ("--no-spring", args.surface.no_spring),
         ("--slope", args.surface.slope.is_some()),
         ("--one-way", args.surface.one_way),
     ];
@@ -72,7 +71,11 @@ fn write<F: Value>(args: &SimulateArgs, format: StreamFormat, out: &mut impl Wri
     let start = input::start(&args.start, &given, point.machine.as_ref(), &reader)?;
     let start = at_phase(start, args.phase.as_deref(), &reader)?;
     let has_friction = !given.is_without_friction();
-    let of_friction = |row: Row| if has_friction { row } else { row.without_units_of_friction() };
+    let has_spring = !given.is_without_spring();
+    let of_friction = |row: Row| {
+        let row = if has_friction { row } else { row.without_units_of_friction() };
+        if has_spring { row } else { row.without_units_of_spring() }
+    };
     let motion = Trajectory::new(point.ratios, start).map_err(|e| of_motion(&given, e))?;
     let machine = point.machine.as_ref();
     let bar = progress::bar(extent.cycles(), "cycles");

@@ -222,7 +222,6 @@ impl Table for Spectra<'_> {
         let names = self.loads.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(",");
         let others = [
             ("records", Some(names)),
-            ("no_spring", args.surface.no_spring.then(String::new)),
             ("one_way", args.surface.one_way.then(String::new)),
             ("slope", args.surface.slope.clone()),
             ("time_step", args.load.time_step.clone()),

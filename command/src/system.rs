@@ -233,7 +233,16 @@ fn steady(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Write) -> Outco
     if is_json(args)? {
         return output::json(&Answer::steady(&asked.described, &found), out);
     }
-    words::steady(&asked.described, &found, out)?;
+    steady_motion(asked, &found, out)
+}
+
+/// A steady motion in words.
+pub(crate) fn steady_motion(
+    asked: &NamedSystem,
+    found: &stickslip::system::Steady<f64>,
+    out: &mut impl Write,
+) -> Outcome {
+    words::steady(&asked.described, found, out)?;
     words::motion(&asked.described, &found.motion, out)
 }
 

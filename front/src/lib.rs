@@ -22,7 +22,7 @@
 )]
 
 pub mod curve;
-pub mod frictionless;
+pub mod without;
 pub mod grid;
 pub mod names;
 pub mod record;

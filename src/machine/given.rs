@@ -302,6 +302,60 @@ impl<F: Float + FromStr> Given<F> {
             .map_or_else(|| Ok(self.system.gravity()), |g| self.positive(Input::Gravity, g))
     }
 
+    /// The stiffness of a body that is driven at ω_d. Without a spring it is so small that the spring cannot be seen, at
+    /// this frequency or above.
+    ///
+    /// # Errors
+    /// As for [`Given::stiffness`], and where an input needs a spring that is not there.
+    pub fn stiffness_at(&self, frequency: Option<F>) -> Result<Option<F>, InputError> {
+        match frequency.filter(|_| self.is_without_spring()) {
+            Some(frequency) => {
+                self.check_without_spring()?;
+                let body = Oscillator::without_spring(self.mass()?, F::int(1), frequency);
+                Ok(Some(body.map_err(|e| self.at_fault(&e))?.stiffness()))
+            }
+            None => self.stiffness(),
+        }
+    }
+
+    /// Whether the stiffness is given as 0.
+    pub fn is_without_spring(&self) -> bool {
+        self.get(Input::Stiffness) == Some(F::int(0))
+    }
+
+    /// Refuses what a body without a spring does not have: a damping ratio, a support of its spring, and a place about which
+    /// it moves under a constant force.
+    fn check_without_spring(&self) -> Result<(), InputError> {
+        for input in [Input::DampingRatio, Input::FootDisplacement] {
+            if self.has(input) {
+                return Err(InputError(format!("{}: must be left out without a spring", self.label(input))));
+            }
+        }
+        if self.is_without_friction() && self.has_role(Role::Drive) {
+            let input = self.first_of(Role::Friction).unwrap_or(Input::Friction);
+            return Err(InputError(format!(
+                "{}: must be > 0 without a spring, because the body is free: x = −p₀ sin(ω_d t)/(m ω_d²)",
+                self.label(input)
+            )));
+        }
+        match self.drifts() {
+            Some(input) => Err(InputError(format!(
+                "{}: must be left out without a spring, because the body drifts. `stickslip steady` answers with the drift",
+                self.label(input)
+            ))),
+            None => Ok(()),
+        }
+    }
+
+    /// The input by which a body without a spring drifts: a constant force, or a friction that differs by direction.
+    pub fn drifts(&self) -> Option<Input> {
+        let is_other = |backward: F| Input::of_role(Role::Friction).into_iter().all(|f| self.get(f) != Some(backward));
+        if self.get(Input::MeanForce).is_some_and(|force| force != F::int(0)) {
+            return Some(Input::MeanForce);
+        }
+        self.get(Input::FrictionBackward).is_some_and(is_other).then_some(Input::FrictionBackward)
+    }
+
     /// The friction against forward and against backward motion, if they are given apart.
     ///
     /// # Errors
@@ -331,7 +385,9 @@ impl<F: Float + FromStr> Given<F> {
             (Some(_), None, None) => {
                 return Err(self.missing(&[&[Input::Frequency], &*Input::of_role(Role::Spring)].concat()));
             }
-            (_, _, Some(_)) => Oscillator::new(mass, self.stiffness()?.unwrap_or(F::int(0)), friction),
+            (_, frequency, Some(_)) => {
+                Oscillator::new(mass, self.stiffness_at(frequency)?.unwrap_or(F::int(0)), friction)
+            }
             (None, _, None) => {
                 return Err(self.missing(&[&*Input::of_role(Role::Spring), &[Input::Omega]].concat()));
             }

@@ -8,7 +8,7 @@ pub use crate::machine::scales::Scales;
 use crate::float::Float;
 use crate::machine::error::{Error, Quantity};
 use crate::machine::ratios::{
-    frequency_ratio, non_negative, one_friction, positive, valid_static_friction_ratio,
+    frequency_ratio, non_negative, one_friction, positive, springless, valid_static_friction_ratio,
 };
 
 /// The critical damping `2√(k m)`, the damping constant at which free vibration ceases. Every damping ratio is of this one.
@@ -112,6 +112,22 @@ impl<F: Float> Oscillator<F> {
         let omega = frequency_ratio(omega)?;
         let natural_frequency = positive(Quantity::AngularFrequency, angular_frequency)? / omega;
         Self::new(mass, mass * natural_frequency.square(), friction_bound)
+    }
+
+    /// A body without a spring, from its mass m and friction force r_y, under drives of the angular frequency ω_d or more.
+    ///
+    /// It is the limit of soft springs: its stiffness is `m (ω_d/Ω)²` with an Ω (2²⁸ at f64) at which the force k x is less
+    /// than ε/16 of the inertia m ω_d² x. Answers in units of r_y/(m ω_d²), ω_d and r_y, and so all in the machine's units
+    /// but those of the spring itself, are those of the limit to this accuracy: Δ₀ = √(α² − π²/4) r_y/(m ω_d²), and the
+    /// sticking threshold is √(η² + π²/4) r_y. Displacements are from the middle of the motion.
+    ///
+    /// A constant force and friction that differs by direction move such a body on for ever: a system of one body
+    /// answers with its drift.
+    ///
+    /// # Errors
+    /// Where an argument is not finite or not > 0.
+    pub fn without_spring(mass: F, friction_bound: F, angular_frequency: F) -> Result<Self, Error> {
+        Self::tuned(mass, friction_bound, angular_frequency, springless())
     }
 
     /// This body with a viscous damper: the force −c x′ on the body.

@@ -8,7 +8,7 @@ use super::slide::{Direction, Slide};
 use super::state::{Instant, State};
 use crate::float::Float;
 use crate::machine::error::{Error, Quantity};
-use crate::machine::ratios::Ratios;
+use crate::machine::ratios::{Ratios, springless};
 use crate::named::named;
 
 named! {
@@ -219,8 +219,8 @@ impl<F: Float> Trajectory<F> {
     /// The motion at (Ω, α) from a start.
     ///
     /// # Errors
-    /// Where Ω is outside `[2⁻²⁰, 2²⁰]`, because one slide then spans so many periods that a phase keeps few
-    /// digits; where ζ or η is above 2²⁰.
+    /// Where Ω is below 2⁻²⁰, because one slide then spans so many periods that a phase keeps few digits, or above that of
+    /// a body whose spring cannot be seen (`springless`, 2²⁸ at f64); where ζ is above 2²⁰ and 2²⁰ Ω, or η above 2²⁰.
     pub fn new(ratios: Ratios<F>, start: State<F>) -> Result<Self, Error> {
         let equation = Equation::new(resolved(ratios)?);
         Ok(Self::of(equation, start))
@@ -275,15 +275,17 @@ impl<F: Float> core::iter::FusedIterator for Trajectory<F> {}
 /// (Ω, α, ζ, η), if Ω is in the range where phases keep their digits, ζ where velocities do and η where
 /// forces do.
 pub(crate) fn resolved<F: Float>(ratios: Ratios<F>) -> Result<Ratios<F>, Error> {
-    let (least, greatest) = (F::exp2i(-20), F::exp2i(20));
+    let (least, greatest) = (F::exp2i(-20), springless::<F>().or_larger(F::exp2i(20)));
     crate::machine::ratios::within(Quantity::FrequencyRatio, ratios.omega(), least, greatest)?;
     if ratios.is_damped() {
         let zeta = ratios.damping_ratio();
-        crate::machine::ratios::within(Quantity::DampingRatio, zeta, F::least_ratio(), greatest)?;
+        // A body without a spring has ζ = c Ω/(2 m ω_d).
+        let most = F::exp2i(20) * ratios.omega().or_larger(F::int(1));
+        crate::machine::ratios::within(Quantity::DampingRatio, zeta, F::least_ratio(), most)?;
     }
     if ratios.has_higher_static_friction() {
         let eta = ratios.static_friction_ratio();
-        crate::machine::ratios::within(Quantity::StaticFrictionRatio, eta, F::int(1), greatest)?;
+        crate::machine::ratios::within(Quantity::StaticFrictionRatio, eta, F::int(1), F::exp2i(20))?;
     }
     Ok(ratios)
 }

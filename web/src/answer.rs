@@ -8,7 +8,7 @@ use stickslip::inputs::{Given, Input, Point, Role};
 use stickslip::motion::{LongRun, SteadyAnswer};
 use stickslip::words::{self, digits};
 use stickslip::{Column, Definition, Drive, Measure, NoStop, Response, ResponseAnswer, When};
-use stickslip_front::frictionless::{is_of_friction, without_friction};
+use stickslip_front::without::{is_of_friction, without_friction};
 
 /// The answers of `stickslip response` and `stickslip steady` to the question.
 pub(crate) fn answer(asked: &Asked<'_>) -> Result<Value, String> {

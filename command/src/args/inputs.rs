@@ -1,6 +1,7 @@
 //! The options of machines, made from the library's table of inputs.
 
-use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
+use clap::error::ErrorKind;
+use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches};
 use std::ops::Deref;
 use stickslip::inputs::{Input, Role};
 
@@ -15,6 +16,9 @@ const BODY: u8 = 1;
 const DRIVE: u8 = 2;
 /// The start of a motion.
 const START: u8 = 4;
+
+/// The flag of a body without a spring.
+const NO_SPRING: &str = "no_spring";
 
 /// A body and its frequency.
 pub(crate) type BodyArgs = Typed<BODY>;
@@ -56,12 +60,21 @@ impl<const PARTS: u8> Deref for Typed<PARTS> {
 
 impl<const PARTS: u8> Args for Typed<PARTS> {
     fn augment_args(command: Command) -> Command {
-        command.args(Self::inputs().map(|input| {
+        let command = command.args(Self::inputs().map(|input| {
             let arg = Arg::new(input.name()).long(input.name()).value_name(input.placeholder());
             let arg = arg.help(input.help()).allow_hyphen_values(true);
             let arg = input.alias().into_iter().fold(arg, Arg::visible_alias);
             input.former().into_iter().fold(arg, Arg::alias)
-        }))
+        }));
+        if PARTS & BODY == 0 {
+            return command;
+        }
+        command.arg(
+            Arg::new(NO_SPRING)
+                .long("no-spring")
+                .action(ArgAction::SetTrue)
+                .help("A body without a spring, the same as a stiffness of 0"),
+        )
     }
 
     fn augment_args_for_update(command: Command) -> Command {
@@ -72,7 +85,16 @@ impl<const PARTS: u8> Args for Typed<PARTS> {
 impl<const PARTS: u8> FromArgMatches for Typed<PARTS> {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
         let text = |input: Input| Some((input, matches.get_one::<String>(input.name())?.clone()));
-        Ok(Self(Self::inputs().filter_map(text).collect()))
+        let mut typed: Vec<_> = Self::inputs().filter_map(text).collect();
+        if PARTS & BODY != 0 && matches.get_flag(NO_SPRING) {
+            if let Some((spring, text)) = typed.iter().find(|(input, _)| input.role() == Role::Spring) {
+                let text = format!("{} {text}: must be left out with --no-spring\n", spring.option());
+                return Err(clap::Error::raw(ErrorKind::ArgumentConflict, text));
+            }
+            typed.push((Input::Stiffness, "0".to_owned()));
+            typed.sort_by_key(|(input, _)| *input);
+        }
+        Ok(Self(typed))
     }
 
     fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {

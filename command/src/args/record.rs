@@ -57,9 +57,6 @@ impl From<AfterArg> for After {
 /// The surface that the body slides on.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct SurfaceArgs {
-    /// A body without a spring
-    #[arg(long)]
-    pub(crate) no_spring: bool,
     /// Angle by which the surface falls in the direction of x, such as 10deg
     #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
     pub(crate) slope: Option<String>,

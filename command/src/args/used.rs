@@ -38,7 +38,7 @@ border | omega FRICTIONS | omega BODY STATIC frequency | no_stop r:enclose forma
 steady | RATIOS | SHIFTED | x0 v0 max_periods r:enclose format p:header bits mp:units
 attractors | RATIOS | DRIVEN | starts reach max_periods unstable rows resume format bits m:units
 basins | RATIOS | DRIVEN | x0 v0 max_periods rows resume bits m:units out title size overwrite
-simulate | RATIOS | SHIFTED | x0 v0 phase m:shape m:rise m:speed m:no_spring m:slope m:one_way cycles m:duration samples m:rate out overwrite format bits m:units
+simulate | RATIOS | SHIFTED | x0 v0 phase m:shape m:rise m:speed m:slope m:one_way cycles m:duration samples m:rate out overwrite format bits m:units
 sweep | RATIOS | SHIFTED | question m:units outputs format out resume shard header no_header bits
 map | RATIOS | DRIVEN | quantity m:units out overwrite title size range
 response-curve | omega alpha damping-ratio | omega alpha BODY frequency DRIVE | what m:units out overwrite title size x_range y_range linear
@@ -46,9 +46,9 @@ motion-plot | RATIOS | DRIVEN | x0 v0 m:units out overwrite title size
 identify | | MASS SPRING gravity force base-acceleration base-velocity base-displacement foot-displacement | file amplitude phase format units
 identify | | MASS SPRING gravity | file motion format units
 identify | decay half_cycles | decay half_cycles MASS SPRING gravity | file format units
-record | | BODY yield-acceleration STATIC mean-force | file no_spring slope one_way time_step column skip record_units scale from to after x0 v0 both_polarities floor_spectrum floor_damping out interval picture title size overwrite enclose format bits units
-spectrum | | BODY yield-acceleration STATIC mean-force | files no_spring slope one_way time_step column skip record_units scale from to after units format out resume shard header no_header picture title size overwrite
-decay | FRICTIONS | BODY STATIC mean-force | m:no_spring m:slope m:one_way x0 v0 out title size overwrite format bits m:units
+record | | BODY yield-acceleration STATIC mean-force | file slope one_way time_step column skip record_units scale from to after x0 v0 both_polarities floor_spectrum floor_damping out interval picture title size overwrite enclose format bits units
+spectrum | | BODY yield-acceleration STATIC mean-force | files slope one_way time_step column skip record_units scale from to after units format out resume shard header no_header picture title size overwrite
+decay | FRICTIONS | BODY STATIC mean-force | m:slope m:one_way x0 v0 out title size overwrite format bits m:units
 pull | | BODY STATIC | speed format bits units
 design force | omega FRICTIONS | BODY STATIC mean-force frequency | no_stop format bits m:units
 design friction | omega FRICTIONS | MASS SPRING gravity DAMPER static-friction-ratio frequency DRIVE | m:over m:of m:picture m:overwrite m:target_amplitude format bits m:units
@@ -93,7 +93,7 @@ fn options(used: &'static str) -> Vec<&'static str> {
         "DRIVEN" => options("omega alpha BODY STATIC frequency DRIVE"),
         "BODY" => options("MASS SPRING FRICTION gravity friction-backward DAMPER"),
         "MASS" => inputs(Role::Mass),
-        "SPRING" => inputs(Role::Spring),
+        "SPRING" => [inputs(Role::Spring), vec!["no_spring"]].concat(),
         "FRICTION" => inputs(Role::Friction),
         "DAMPER" => inputs(Role::Damper),
         "STATIC" => inputs(Role::StaticFriction),

@@ -47,7 +47,7 @@ pub(super) fn respond<F: Value>(
     let ends = answer.cut_time.is_none();
     let time = rests.then(|| motion.events.last().map_or(zero, |event| event.time));
     // A body that is pulled from its rest and let go turns where it is let go; one that slides off by its weight turns later.
-    let first = if v0 == zero && !surface.is_special() {
+    let first = if v0 == zero && !surface.is_special(&given) {
         Some(x0)
     } else {
         let turns = motion.events.iter().find(|event| event.time > zero);

@@ -277,10 +277,26 @@ impl<'a, F: Value> AskedDesign<'a, F> {
             found => Ok(found.unwrap_or(self.one)),
         };
         let mass = self.given.mass()?;
-        let stiffness = or_one(self.given.stiffness()?, needs_stiffness, Role::Spring)?;
+        let stiffness = self.given.stiffness_at(Some(self.frequency_of_reference()?))?;
+        let stiffness = or_one(stiffness, needs_stiffness, Role::Spring)?;
         let friction = or_one(self.given.friction()?, needs_friction, Role::Friction)?;
         let body = Oscillator::new(mass, stiffness, friction).map_err(|e| self.fail(e))?;
         Ok(self.given.with_damper(body)?)
+    }
+
+    /// The frequency for which a body without a spring stands: that of the drive, the lowest of a range, or the highest of
+    /// `--over`, whose motions no spring may be softer for; 1 where there is none.
+    fn frequency_of_reference(&self) -> Result<F, Failure> {
+        let QuestionArgs { from, over, .. } = self.args;
+        let highest = over.as_deref().and_then(|text| text.split_once(':')).map(|(_, high)| ("--over", high));
+        let typed = from.as_deref().map(|text| ("--from", text)).or(highest);
+        match (self.given.get(Input::Frequency), typed) {
+            (Some(frequency), _) => Ok(frequency),
+            (None, Some((name, text))) if self.physical && self.given.is_without_spring() => {
+                Ok(self.reader.value(name, text, Kind::Frequency)?)
+            }
+            (None, _) => Ok(self.one),
+        }
     }
 
     pub(super) fn drive(&self, body: &Oscillator<F>, frequency: F) -> Result<Drive<F>, Failure> {

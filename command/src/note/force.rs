@@ -36,7 +36,7 @@ pub(super) fn needed_force<F: Value>(
             writeln!(note.out, "    (between these two the body stops)")?;
         }
     }
-    not_to_be_held(response.ratios.omega(), border.min_force_ratio, note.out)?;
+    not_to_be_held(response.ratios.omega(), border.min_force_ratio, note)?;
     if border.min_force_ratio_turning_point < border.min_force_ratio && !response.ratios.is_damped() {
         let eq_61 = digits(border.min_force_ratio_turning_point);
         writeln!(note.out, "    (eq. 61 gives {eq_61} r_y, which is too little below Ω = 1/2)")?;
@@ -45,7 +45,9 @@ pub(super) fn needed_force<F: Value>(
     match response.best_loop_size {
         Some(size) if response.best_is_reached() => {
             note.number(name, Measure::Force, best)?;
-            note.line("  loop size A₁ there", digits(size))?;
+            if !note.given.is_without_spring() {
+                note.line("  loop size A₁ there", digits(size))?;
+            }
             if size.to_f64() > ABSURD {
                 let text = "no machine holds a frequency so close to Ω = 1/(2n), where it is infinite";
                 writeln!(note.out, "    ({text})")?;
@@ -67,12 +69,12 @@ pub(super) fn needed_force<F: Value>(
 const ABSURD: f64 = 1e6;
 
 /// Adds a remark if Ω is too close to a pole for any machine.
-fn not_to_be_held<F: Value>(omega: F, border: F, out: &mut impl Write) -> io::Result<()> {
-    // Away from the poles the border is a few times 1/Ω².
-    if border.to_f64() * omega.to_f64() * omega.to_f64() > ABSURD {
+fn not_to_be_held<F: Value>(omega: F, border: F, note: &mut Note<'_, F, impl Write>) -> io::Result<()> {
+    // Away from the poles the border is a few times 1/Ω², or η.
+    if omega < F::int(1) && border.to_f64() * omega.to_f64() * omega.to_f64() > ABSURD {
         let text =
             "no machine holds a frequency so close to Ω = 1/(2n+1), where the sticking threshold is infinite";
-        writeln!(out, "    ({text})")?;
+        writeln!(note.out, "    ({text})")?;
     }
     Ok(())
 }
@@ -111,8 +113,13 @@ pub(crate) fn border<F: Value>(
         }
         Some(found) => format!("the body does not stop {}", no_stop(found, "r_y")),
     };
-    writeln!(note.out, "At Ω = {} {sentence}.\n", digits(omega))?;
-    if answer.ratios.is_damped() {
+    let has_spring = !note.given.is_without_spring();
+    if has_spring {
+        writeln!(note.out, "At Ω = {} {sentence}.\n", digits(omega))?;
+    } else {
+        writeln!(note.out, "Without a spring {sentence}.\n")?;
+    }
+    if has_spring && answer.ratios.is_damped() {
         note.line("damping ratio ζ", digits(answer.ratios.damping_ratio()))?;
     }
     if let Some((low, high)) = found.and_then(|it| it.six_reversals) {
@@ -120,7 +127,7 @@ pub(crate) fn border<F: Value>(
         note.number("  up to", Measure::Force, high)?;
     }
     note.number("two-reversal threshold", Measure::Force, border.min_force_ratio)?;
-    not_to_be_held(omega, border.min_force_ratio, note.out)?;
+    not_to_be_held(omega, border.min_force_ratio, &mut note)?;
     note.number("at the turning point", Measure::Force, border.min_force_ratio_turning_point)?;
     let is_exact = omega >= exact_from(answer.ratios);
     writeln!(note.out, "    (eq. 61, {} here)", if is_exact { "exact" } else { "necessary only" })?;

@@ -77,6 +77,9 @@ impl<F: Float + FromStr> Given<F> {
             return Ok(Cow::Borrowed(self));
         }
         let mut given = self.clone();
+        if self.is_without_spring() {
+            self.check_without_spring()?;
+        }
         if is_free {
             given.replace_friction(F::int(1));
         }

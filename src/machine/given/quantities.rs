@@ -20,10 +20,13 @@ impl<F: Float + FromStr> Given<F> {
         let turn = F::int(2) * F::pi();
         add("frequency", Kind::Hertz, drive.angular_frequency() / turn);
         add("angular_frequency", Kind::Frequency, drive.angular_frequency());
-        add("natural_frequency", Kind::Frequency, oscillator.natural_frequency());
-        add("period", Kind::Time, turn / oscillator.natural_frequency());
+        let has_spring = !self.is_without_spring();
+        if has_spring {
+            add("natural_frequency", Kind::Frequency, oscillator.natural_frequency());
+            add("period", Kind::Time, turn / oscillator.natural_frequency());
+        }
         add("mass", Kind::Mass, oscillator.mass());
-        add("stiffness", Kind::Stiffness, oscillator.stiffness());
+        add("stiffness", Kind::Stiffness, if has_spring { oscillator.stiffness() } else { F::int(0) });
         match self.directional_friction() {
             Ok(Some((forward, backward))) => {
                 add("friction", Kind::Force, forward);
@@ -59,11 +62,13 @@ impl<F: Float + FromStr> Given<F> {
                 add("base_acceleration", Kind::Acceleration, acceleration);
             }
         }
-        add("friction_displacement", Kind::Length, self.friction_as_given(scales.length));
+        if has_spring {
+            add("friction_displacement", Kind::Length, self.friction_as_given(scales.length));
+        }
         if let Some(mean_force) = self.get(Input::MeanForce) {
             add("mean_force", Kind::Force, mean_force);
         }
-        if self.is_shifted() {
+        if self.is_shifted() && has_spring {
             add("mean_displacement", Kind::Length, scales.mean_displacement);
         }
         all

@@ -46,7 +46,7 @@ use super::matrix::Matrix;
 use super::propagation::HalfTurns;
 use crate::float::Float;
 use crate::machine::error::Error;
-use crate::machine::ratios::Ratios;
+use crate::machine::ratios::{Ratios, springless};
 use crate::motion::broken::{Broken, Budget};
 use crate::motion::slide::equation::Equation;
 use crate::motion::state::{PhasePoint, State};
@@ -95,7 +95,9 @@ pub(crate) fn limit<F: Float>(
         let is_back = distance(&y, &reference) <= F::exp2i(-20) * size(&reference);
         if is_back && !is_tried {
             is_tried = true;
-            for half_turns in [lag, lag.saturating_mul(2)] {
+            // Without a spring the motion returns to another place after an odd number of half turns.
+            let first = if is_free(&equation) { 1 } else { lag };
+            for half_turns in [first, lag, lag.saturating_mul(2)] {
                 let here = observation.upright(&y);
                 if let Some(found) = periodic(ratios, &here, half_turns, budget)? {
                     return Ok(found);
@@ -133,9 +135,14 @@ fn periodic<F: Float>(
         let settles = F::int(1) - other > rate_noise(u64::from(m));
         return if is_settled && settles { member(&begun, other, budget).map(Some) } else { Ok(None) };
     }
+    let is_free = is_free(&equation);
+    if is_free && m.is_multiple_of(2) {
+        return repeated(begun, budget);
+    }
+    let room = if is_free { rate_noise(u64::from(m)) } else { F::int(0) };
     let found = begun.newton(budget)?;
     let (y, step, left) = (&found.motion.start, &found.motion, &found.left);
-    if !(found.is_periodic(16) && step.rest.is_none() && is_within(&step.derivative, F::int(0))) {
+    if !(found.is_periodic(16) && step.rest.is_none() && is_within(&step.derivative, room)) {
         return Ok(None);
     }
     let (before, room) = ((begin.x - y.x, begin.w - y.w), left.bound());
@@ -149,10 +156,34 @@ fn periodic<F: Float>(
         return Ok(None);
     }
     let found = found.earliest(16, budget)?;
-    if !is_within(&found.motion.derivative, F::int(0)) {
+    if !is_within(&found.motion.derivative, room) {
         return Ok(None);
     }
     Ok(Some(LongRun::Periodic(found.steady(budget)?)))
+}
+
+/// Whether the spring cannot be seen. It then holds no place: a body that is moved stays moved, in H with a change of sign.
+/// One multiplier of Hᵐ is 1 for an even m and −1 for an odd one, but for rounding.
+fn is_free<F: Float>(equation: &Equation<F>) -> bool {
+    equation.omega * F::int(4) >= springless()
+}
+
+/// The motion of a body without a spring over an even number of half turns, where it has come to repeat: Newton's step is
+/// undefined, because the motion repeats at any place.
+fn repeated<F: Float>(settled: Trial<F>, budget: &mut Budget<'_>) -> Result<Option<LongRun<F>>, Broken> {
+    let step = &settled.motion;
+    let noise = rate_noise(u64::from(step.m));
+    let other = step.derivative.determinant().abs();
+    let has_settled = settled.left.is_rounding(16)
+        && step.rest.is_none()
+        && is_within(&step.derivative, noise)
+        && F::int(1) - other > noise;
+    if !has_settled {
+        return Ok(None);
+    }
+    let (x, w) = settled.left.bounds();
+    let longer = F::int(1) / (F::int(1) - other);
+    Ok(Some(LongRun::Periodic(step.steady((x * longer, w * longer), budget)?)))
 }
 
 /// The member of a family at Ω = 1/(2n) that a motion has settled on, `other` being its multiplier that is not 1.

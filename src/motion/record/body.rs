@@ -231,7 +231,6 @@ impl<F: Float + FromStr> Body<F> {
             body = body.with_directional_friction(body.friction, backward).map_err(wrong)?;
         }
         if let Some(stiffness) = given.stiffness()? {
-            positive(Quantity::Stiffness, stiffness).map_err(wrong)?;
             body = body.with_stiffness(stiffness).map_err(wrong)?;
         }
         if let Some((input, value)) = given.one_of(Role::Damper)? {

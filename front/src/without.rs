@@ -1,6 +1,6 @@
-//! Answers of a body without friction, which are computed with a friction far below rounding.
+//! Answers of a body without friction or without a spring, which are computed with one far below rounding.
 
-use stickslip::Measure;
+use stickslip::{Definition, Measure, Output};
 use stickslip::float::Float;
 
 /// Whether a value is in units of the friction, which do not exist without it.
@@ -22,4 +22,23 @@ pub fn without_friction<F: Float>(measure: Measure, x: F) -> F {
         || of_motion.contains(&measure) && x.abs() < size
         || measure == Measure::Work && x.abs() < size.square() * size;
     if is_multiple { F::int(0) } else { x }
+}
+
+/// Whether a value is in units of the spring, k, B = r_y/k or ω_n, which do not exist without it.
+#[must_use]
+pub const fn is_of_spring(measure: Measure) -> bool {
+    use Measure::{
+        Acceleration, Damping, EnergyOfLargestLoop, EnergyStiffness, Length, Stiffness, Velocity, Work,
+    };
+    matches!(
+        measure,
+        Length | Velocity | Acceleration | Stiffness | Damping | Work | EnergyStiffness | EnergyOfLargestLoop
+    )
+}
+
+/// Whether an output does not exist without a spring, in any unit: its force, and ratios to its stiffness.
+#[must_use]
+pub fn needs_spring(output: &Definition) -> bool {
+    let those = [Output::MaxSpringForce, Output::DynamicAmplification, Output::EquivalentDampingRatio];
+    those.into_iter().any(|one| one.definition().name == output.name)
 }

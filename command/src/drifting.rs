@@ -1,0 +1,76 @@
+//! The steady motion of a body without a spring that a constant force, or friction by direction, moves on for ever.
+
+use crate::args::SteadyArgs;
+use crate::bits::Value;
+use crate::failure::{Failure, Outcome};
+use crate::system::steady_motion;
+use crate::{input, interrupt, output};
+use serde_json::json;
+use std::io::Write;
+use std::path::Path;
+use stickslip::inputs::units::Reader;
+use stickslip::inputs::{Given, Input};
+use stickslip_front::system::{Answer, NamedSystem};
+
+/// Whether the inputs are those of a body that drifts.
+pub(crate) fn is_asked<F: Value>(given: &Given<F>) -> bool {
+    given.is_without_spring() && given.drifts().is_some()
+}
+
+/// The answer: that of a system of this one body.
+pub(crate) fn answer<F: Value>(
+    args: &SteadyArgs,
+    given: &Given<F>,
+    reader: &Reader,
+    out: &mut impl Write,
+) -> Outcome {
+    if F::PRECISION > f64::MANTISSA_DIGITS || args.output.points.is_some() {
+        let text = given.drifts().map(|input| given.label(input)).unwrap_or_default();
+        return Err(format!("{text}: a drift is answered at 53 bits and for one machine").into());
+    }
+    let described = system(&input::with_any_mass(given), args, reader)?;
+    let asked = NamedSystem::new(&described, [], Path::new(""), None).map_err(Failure::Input)?;
+    let engine = asked.system.clone().while_allowed(interrupt::keep_going);
+    let found = engine.steady(&asked.described.start).map_err(Failure::from)?;
+    if args.output.is_json()? {
+        return output::json(&Answer::steady(&asked.described, &found), out);
+    }
+    steady_motion(&asked, &found, out)
+}
+
+/// The system of one body in the form of a file, with bare numbers in the system of units of the inputs.
+fn system<F: Value>(given: &Given<F>, args: &SteadyArgs, reader: &Reader) -> Result<serde_json::Value, Failure> {
+    let or_zero = |input: Input| given.get(input).unwrap_or(F::int(0)).to_f64();
+    let friction = given.friction()?.unwrap_or(F::int(0));
+    let backward = given.get(Input::FrictionBackward).unwrap_or(friction);
+    let half = F::ratio(1, 2);
+    let mut symmetric = given.clone();
+    symmetric.take(Input::MeanForce);
+    symmetric.replace_friction((friction + backward) * half);
+    let machine = symmetric.driven()?;
+    let (body, drive) = (&machine.oscillator, &machine.drive);
+    let constant = or_zero(Input::MeanForce) - ((friction - backward) * half).to_f64();
+    let [x0, v0] = [Input::X0, Input::V0].map(|input| args.start.text(input));
+    let [x0, v0] = input::start_in_units::<f64>(reader, [x0, v0])?;
+    let load = json!({
+        "on": "body",
+        "amplitude": drive.force_amplitude(body).to_f64(),
+        "frequency": drive.angular_frequency().to_f64(),
+    });
+    let mut springs = Vec::new();
+    if body.damping() > F::int(0) {
+        springs.push(json!({ "between": ["ground", "body"], "damping": body.damping().to_f64() }));
+    }
+    Ok(json!({
+        "units": given.system.to_string(),
+        "masses": { "body": { "mass": body.mass().to_f64(), "start": x0, "velocity": v0 } },
+        "springs": springs,
+        "contacts": [{
+            "name": "surface",
+            "between": ["ground", "body"],
+            "friction": body.friction_bound().to_f64(),
+            "static_ratio": body.static_friction_ratio().to_f64(),
+        }],
+        "forces": [load, { "on": "body", "constant": constant }],
+    }))
+}
