@@ -15,8 +15,8 @@ use asked::AskedDesign;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::Write;
 use stickslip::design::{self, Band, Edge, Holding};
-use stickslip::inputs::Input;
 use stickslip::inputs::units::{Kind, System};
+use stickslip::inputs::{Input, Role};
 use stickslip::{Border, Drive, Error, Excitation, NoStop, Oscillator, Ratios};
 
 pub(crate) fn run(question: &Question, out: &mut impl Write) -> Outcome {
@@ -143,17 +143,23 @@ impl<F: Value> AskedDesign<'_, F> {
         let (newton, length) = (self.system().force(), self.system().length());
         let unbalance = self.system().name(Kind::Unbalance);
         let mut fields = force_and_equals(&body, frequency, force);
-        fields.extend(self.shift(&body)?);
+        if self.given.is_without_spring() {
+            fields.retain(|(name, ..)| *name != "foot_displacement");
+        } else {
+            fields.extend(self.shift(&body)?);
+        }
         let of = |name: &str| {
             fields.iter().find(|(n, ..)| *n == name).map_or_else(String::new, |f| f.2.shown().text())
         };
+        let foot = match of("foot_displacement") {
+            far if far.is_empty() => "a motion ".to_owned(),
+            far => format!("a motion of {far} {length} of the spring's support over a fixed surface, or "),
+        };
         let sentence = format!(
-            "The body never sticks at a force of {} {newton} or more: a rotating unbalance of {} {unbalance}, a \
-             motion of {} {length} of the spring's support over a fixed surface, or of {} {length} of a base that \
-             carries the surface.",
+            "The body never sticks at a force of {} {newton} or more: a rotating unbalance of {} {unbalance}, {foot}of {} \
+             {length} of a base that carries the surface.",
             of("force"),
             of("unbalance"),
-            of("foot_displacement"),
             of("base_displacement")
         );
         let answer = DesignAnswer::one(sentence, fields);
@@ -236,7 +242,46 @@ impl<F: Value> AskedDesign<'_, F> {
         Ok(DesignAnswer { sentence, rows })
     }
 
+    /// The static friction that holds the body under a drive of one frequency: as great as the force on it.
+    fn holding_friction(&self) -> Result<DesignAnswer<F>, Failure> {
+        let (input, _) = self.given.amplitude()?;
+        let has_frequency = self.given.has(Input::Frequency);
+        let is_constant = matches!(input, Input::Force | Input::BaseAcceleration | Input::FootDisplacement);
+        if !is_constant && !has_frequency {
+            let text =
+                "--frequency is missing, or --friction, whose answer is the frequency up to which it holds";
+            return Err(text.to_owned().into());
+        }
+        let frequency = if has_frequency { self.frequency()? } else { self.one };
+        let body =
+            self.body(matches!(input, Input::FootDisplacement | Input::DampedFootDisplacement), false)?;
+        let force = if self.given.is_without_drive() {
+            F::int(0)
+        } else {
+            self.drive(&body, frequency)?.force_amplitude(&body)
+        };
+        let coefficient = force / (body.mass() * self.given.gravity()?);
+        let sentence = format!(
+            "A static friction of at least {} {}, a coefficient of {}, holds the body at rest.",
+            digits(force),
+            self.system().force(),
+            digits(coefficient)
+        );
+        let fields = vec![
+            ("static_friction", Kind::Force, some(force)),
+            ("static_friction_coefficient", Kind::Ratio, some(coefficient)),
+        ];
+        Ok(DesignAnswer::one(sentence, fields))
+    }
+
     fn holding(&self) -> Result<DesignAnswer<F>, Failure> {
+        if !self.given.has_role(Role::Friction) {
+            return self.holding_friction();
+        }
+        if self.given.has(Input::Frequency) {
+            let frequency = self.given.label(Input::Frequency);
+            return Err(format!("{frequency}: must be left out beside a friction").into());
+        }
         let body = self.body(true, true)?;
         let found = if self.given.is_without_drive() {
             Holding::Always

@@ -39,7 +39,11 @@ pub(crate) fn answer<F: Value>(
 }
 
 /// The system of one body in the form of a file, with bare numbers in the system of units of the inputs.
-fn system<F: Value>(given: &Given<F>, args: &SteadyArgs, reader: &Reader) -> Result<serde_json::Value, Failure> {
+fn system<F: Value>(
+    given: &Given<F>,
+    args: &SteadyArgs,
+    reader: &Reader,
+) -> Result<serde_json::Value, Failure> {
     let or_zero = |input: Input| given.get(input).unwrap_or(F::int(0)).to_f64();
     let friction = given.friction()?.unwrap_or(F::int(0));
     let backward = given.get(Input::FrictionBackward).unwrap_or(friction);

@@ -136,7 +136,8 @@ pub(crate) fn with_any_mass<F: Value>(given: &Given<F>) -> Cow<'_, Given<F>> {
         Input::FootDisplacement,
         Input::DampedFootDisplacement,
     ];
-    let cancels = given.has(Input::FrictionCoefficient)
+    let cancels = (given.has(Input::FrictionCoefficient) || !given.has_role(Role::Friction))
+        && given.is_physical()
         && natural.iter().copied().any(|input| given.has(input))
         && is_one(Role::Mass, &[])
         && is_one(Role::Spring, &natural)
@@ -172,9 +173,7 @@ pub(crate) fn has_unit_mass<F: Value>(typed: &[(Input, String)], given: &mut Giv
     ];
     let is_free = given.is_without_spring();
     let needs_none = |input: &Input| {
-        WITHOUT_MASS.contains(input)
-            || input.role() == Role::Drive
-            || is_free && *input == Input::Stiffness
+        WITHOUT_MASS.contains(input) || input.role() == Role::Drive || is_free && *input == Input::Stiffness
     };
     let cancels = typed.iter().all(|(input, _)| needs_none(input));
     if cancels {

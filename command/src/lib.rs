@@ -22,10 +22,10 @@ mod columns;
 mod curve;
 mod decay;
 mod design;
-mod drifting;
 #[cfg(test)]
 #[path = "../../tests/drawn/mod.rs"]
 mod drawn;
+mod drifting;
 mod enclose;
 mod failure;
 mod figure;

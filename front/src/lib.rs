@@ -22,10 +22,10 @@
 )]
 
 pub mod curve;
-pub mod without;
 pub mod grid;
 pub mod names;
 pub mod record;
 #[cfg(feature = "system")]
 pub mod system;
 pub mod text;
+pub mod without;

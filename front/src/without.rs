@@ -1,7 +1,7 @@
 //! Answers of a body without friction or without a spring, which are computed with one far below rounding.
 
-use stickslip::{Definition, Measure, Output};
 use stickslip::float::Float;
+use stickslip::{Definition, Measure, Output};
 
 /// Whether a value is in units of the friction, which do not exist without it.
 #[must_use]

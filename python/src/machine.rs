@@ -62,8 +62,8 @@ fn system(reader: &Reader, units: Option<&str>) -> Option<String> {
 fn of_given(given: &Given<f64>) -> Result<(Body, f64), InputError> {
     let forward = given.friction()?.unwrap_or(f64::NAN);
     let backward = given.get(Input::FrictionBackward).unwrap_or(f64::NAN);
-    let body = if forward == 0.0 && given.has_role(Role::Spring) {
-        // The linear oscillator, for records: what needs friction refuses it.
+    let body = if given.is_without_spring() || forward == 0.0 && given.has_role(Role::Spring) {
+        // Without friction or a spring: what needs them refuses the body, or puts in their place what cannot be seen.
         let body = record::Body::given(given, None)?;
         (body.mass(), body.stiffness(), forward, backward, body.damping(), body.static_friction_ratio())
     } else {
@@ -72,7 +72,8 @@ fn of_given(given: &Given<f64>) -> Result<(Body, f64), InputError> {
         (body.mass(), body.stiffness(), forward, backward, damping, ratio)
     };
     let (mass, stiffness, _, _, damping, _) = body;
-    let ratio = || if damping == 0.0 { 0.0 } else { damping / critical_damping(mass, stiffness) };
+    let ratio =
+        || if damping == 0.0 || stiffness == 0.0 { 0.0 } else { damping / critical_damping(mass, stiffness) };
     Ok((body, given.get(Input::DampingRatio).unwrap_or_else(ratio)))
 }
 
@@ -318,8 +319,8 @@ impl<'a> Bodies<'a> {
     }
 }
 
-/// The frictions and the amplitudes of bodies under drives at `n` places, with those far below the rounding of every motion in
-/// place of 0; as they are where there is no body or no drive.
+/// The frictions, the stiffnesses and the amplitudes of bodies under drives at `n` places, with those far below the rounding of
+/// every motion in place of 0; as they are where there is no body or no drive.
 #[pyfunction]
 fn without_zeros<'py>(
     py: Python<'py>,
@@ -331,11 +332,15 @@ fn without_zeros<'py>(
     let (bodies, kind) = (Bodies::of(&of)?, excitation(kind)?);
     let [amplitude, frequency, _] = &drives;
     let (amplitude, frequency) = (Values::of(amplitude)?, Values::of(frequency)?);
-    let mut found = [const { Vec::new() }; 3];
+    let mut found = [const { Vec::new() }; 4];
     for place in 0..n {
         let at = || Some((bodies.given_at(place)?, amplitude.at(place)?, frequency.at(place)?));
         let Some((given, amplitude, frequency)) = at() else { continue };
         let (mass, stiffness, forward, backward, damping, ratio) = given;
+        // Without friction, too, the body is free, and has no answer here.
+        let vanishing = || Some(Oscillator::without_spring(mass, 1.0, frequency).ok()?.stiffness());
+        let stiffness =
+            if stiffness == 0.0 && forward > 0.0 { vanishing().unwrap_or(0.0) } else { stiffness };
         let is_still = amplitude == 0.0;
         let is_free = forward == 0.0 && (backward == 0.0 || backward.is_nan());
         let (one, apart) = if is_free { (1.0, f64::NAN) } else { (forward, backward) };
@@ -346,13 +351,13 @@ fn without_zeros<'py>(
         };
         // Friction by direction is that of the body, which the rule gives as a mean.
         let (friction, amplitude) = there().unwrap_or((forward, amplitude));
-        let row = [if is_free { friction } else { forward }, apart, amplitude];
+        let row = [if is_free { friction } else { forward }, apart, stiffness, amplitude];
         for (column, value) in found.iter_mut().zip(row) {
             column.push(value);
         }
     }
     let mut table = Table::default();
-    for (name, column) in ["friction", "friction_backward", "amplitude"].into_iter().zip(found) {
+    for (name, column) in ["friction", "friction_backward", "stiffness", "amplitude"].into_iter().zip(found) {
         table.number(name, column);
     }
     table.into_dict(py)

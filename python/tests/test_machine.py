@@ -451,3 +451,23 @@ def test_help_has_what_is_new_and_nothing_of_dict_or_tuple():
     assert len(pydoc.plain(pydoc.render_doc(ss)).splitlines()) < 4500
     estimate = ss.Estimate(1.0, 0.1, (0.8, 1.2))
     assert pickle.loads(pickle.dumps(estimate)) == estimate and estimate._replace(value=2.0).value == 2.0
+
+
+def test_a_body_without_a_spring():
+    """The limits for high frequencies: an amplitude of sqrt(alpha**2 - pi**2/4), a threshold of sqrt(1 + pi**2/4)."""
+    machine = ss.Machine(mass=2.0, stiffness=0, friction=4.0)
+    drive = ss.Drive(force=12.0, angular_frequency=3.0)
+    found = machine.response(drive)
+    assert found.max_displacement == pytest.approx(math.sqrt(9 - math.pi**2 / 4) * 2 / 9, rel=1e-14)
+    assert found.min_force == pytest.approx(4 * math.hypot(1, math.pi / 2), rel=1e-14)
+    assert math.isnan(found.max_spring_force) and machine.stiffness == 0
+    assert machine.steady(drive).max_displacement == pytest.approx(found.max_displacement, rel=1e-13)
+    many = ss.Machine(mass=2.0, stiffness=[0.0, 1e-9, 8.0], friction=4.0).response(drive)
+    assert many.max_displacement[0] == pytest.approx(many.max_displacement[1], rel=1e-9)
+    assert np.isnan(many.max_spring_force).tolist() == [True, False, False]
+    for body, load in (
+        ({"friction_backward": 5.0}, {}),
+        ({}, {"mean_force": 1.0}),
+    ):
+        with pytest.raises(ss.Error, match="the body drifts"):
+            ss.Machine(mass=2.0, stiffness=0, friction=4.0, **body).response(ss.Drive(force=12.0, angular_frequency=3.0, **load))

@@ -9,7 +9,7 @@ use super::input::{Input, Naming, Role};
 use crate::float::Float;
 use crate::machine::error::{Error, Number, Quantity};
 use crate::machine::oscillator::{Drive, Excitation, Oscillator, Scales};
-use crate::machine::ratios::{Ratios, non_negative, positive};
+use crate::machine::ratios::{Ratios, non_negative, positive, springless_exponent};
 use crate::machine::units::{InputError, Reader, System, scaled};
 use alloc::borrow::ToOwned;
 use alloc::format;
@@ -331,6 +331,11 @@ impl<F: Float + FromStr> Given<F> {
                 return Err(InputError(format!("{}: must be left out without a spring", self.label(input))));
             }
         }
+        if springless_exponent::<F>() > F::RATIO_EXPONENT {
+            let most = F::RATIO_EXPONENT.saturating_sub(2).saturating_mul(2) & !63;
+            let label = self.label(Input::Stiffness);
+            return Err(InputError(format!("{label}: without a spring answers have at most {most} bits")));
+        }
         if self.is_without_friction() && self.has_role(Role::Drive) {
             let input = self.first_of(Role::Friction).unwrap_or(Input::Friction);
             return Err(InputError(format!(
@@ -349,7 +354,8 @@ impl<F: Float + FromStr> Given<F> {
 
     /// The input by which a body without a spring drifts: a constant force, or a friction that differs by direction.
     pub fn drifts(&self) -> Option<Input> {
-        let is_other = |backward: F| Input::of_role(Role::Friction).into_iter().all(|f| self.get(f) != Some(backward));
+        let is_other =
+            |backward: F| Input::of_role(Role::Friction).into_iter().all(|f| self.get(f) != Some(backward));
         if self.get(Input::MeanForce).is_some_and(|force| force != F::int(0)) {
             return Some(Input::MeanForce);
         }

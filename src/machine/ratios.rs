@@ -260,16 +260,21 @@ fn outside<F: Float>(quantity: Quantity, x: F, least: F, greatest: F) -> Error {
     })
 }
 
-/// Ω, if `2⁻ᵉ ≤ Ω ≤ 2ᵉ`.
-#[inline]
 /// The frequency ratio at which the spring of a body cannot be seen: `Ω⁻² ≤ ε/16`, 2²⁸ at f64.
 ///
 /// A body without a spring has this Ω. Its motions and its cycle are limits for Ω → ∞ at one ω_d: the force k x is Ω⁻² of
 /// the inertia m ω_d² x, and so are the differences of all answers in units of r_y/(m ω_d²), ω_d and r_y.
 pub(crate) fn springless<F: Float>() -> F {
-    F::exp2i(F::PRECISION as i32 / 2 + 2)
+    F::exp2i(springless_exponent::<F>())
 }
 
+/// The binary logarithm of [`springless`].
+pub(crate) fn springless_exponent<F: Float>() -> i32 {
+    (F::precision() / 2).saturating_add(2).cast_signed()
+}
+
+/// Ω, if `2⁻ᵉ ≤ Ω ≤ 2ᵉ`.
+#[inline]
 pub(crate) fn frequency_ratio<F: Float>(omega: F) -> Result<F, Error> {
     within(Quantity::FrequencyRatio, omega, F::least_ratio(), F::exp2i(F::RATIO_EXPONENT))
 }

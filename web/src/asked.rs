@@ -62,6 +62,11 @@ impl Asked<'_> {
     pub(crate) fn problem(&self) -> Result<Problem, String> {
         let reader = self.reader()?;
         let typed = self.given(&reader)?;
+        if typed.is_without_spring() {
+            let text = "stiffness: must be > 0 on this page, whose map and curves are over the natural frequency. \
+                        The command answers without a spring";
+            return Err(text.to_owned());
+        }
         let (is_frictionless, is_free) = (typed.is_without_friction(), typed.is_without_drive());
         let given = typed.without_zeros()?.into_owned();
         let point = given.point()?;

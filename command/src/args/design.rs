@@ -28,7 +28,7 @@ pub(crate) enum Question {
     Friction(QuestionArgs),
     /// The frequencies, between --from and --to, at which the body never sticks
     Bands(QuestionArgs),
-    /// The frequency up to which friction holds a body at rest
+    /// The frequency up to which friction holds a body at rest, or without a friction the least one that holds it
     Hold(QuestionArgs),
     /// The force for the peak displacement --target
     Displacement(QuestionArgs),

@@ -53,7 +53,7 @@ pull | | BODY STATIC | speed format bits units
 design force | omega FRICTIONS | BODY STATIC mean-force frequency | no_stop format bits m:units
 design friction | omega FRICTIONS | MASS SPRING gravity DAMPER static-friction-ratio frequency DRIVE | m:over m:of m:picture m:overwrite m:target_amplitude format bits m:units
 design bands | alpha damping-ratio | BODY DRIVE | from to no_stop format bits m:units
-design hold | | BODY STATIC DRIVE | format bits units
+design hold | | BODY STATIC frequency DRIVE | format bits units
 design displacement | omega damping-ratio | BODY mean-force frequency | target format bits m:units
 design velocity | omega damping-ratio | BODY mean-force frequency | target format bits m:units
 design dissipation | omega damping-ratio | MASS SPRING gravity DAMPER frequency DRIVE | sticking format bits m:units

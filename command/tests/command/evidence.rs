@@ -144,6 +144,7 @@ fn every_output_of_every_command_has_its_row() {
             &[
                 format!("design hold {body} --unbalance 1 --format json"),
                 format!("design hold {body} --force 60 --format json"),
+                "design hold --mass 2 --force 3 --format json".to_owned(),
             ],
         ),
         (

@@ -45,6 +45,7 @@ mod records;
 mod round_trips;
 mod shapes;
 mod shell;
+mod springless;
 mod starts;
 mod static_friction;
 mod sweep;

@@ -8,11 +8,14 @@ from typing import Any, NamedTuple, Optional, TypeVar
 import numpy as np
 
 from . import _native, _rows
+from ._native import Error
 from ._result import RATIOS, PhysicalResult, Points, Result, Value, points
 
 #: The values of a body, in the order of the compiled part.
 OF_BODY = ("mass", "stiffness", "friction", "friction_backward", "damping", "static_friction_ratio")
 _OF_DRIVE = ("amplitude", "angular_frequency", "mean_force")
+#: Values that do not exist without a spring.
+_OF_SPRING = ("friction_displacement", "mean_displacement", "max_spring_force", "dynamic_amplification", "equivalent_damping_ratio")
 #: Scales that do not depend on the drive.
 _CONSTANT = ("length", "force", "mean_displacement", "mean_friction", "damping_ratio", "static_friction_ratio")
 #: Name in units, scale and kind of the values of `simulate`, `waveform` and `decay`; a phase stays beside its time.
@@ -44,6 +47,8 @@ class Driven(NamedTuple):
     units: Optional[str]
     #: Whether the frequency was given in hertz.
     is_in_hertz: bool = False
+    #: Where the stiffness was given as 0.
+    springless: Any = False
 
     @classmethod
     def by(cls, body: Mapping[str, Any], drive: Mapping[str, Any], excitation: str, units: Optional[str]) -> "Driven":
@@ -53,10 +58,15 @@ class Driven(NamedTuple):
     def _without_zeros(self) -> "Driven":
         """The same with a friction or an amplitude far below the rounding of every motion in place of one of 0, as the command has it."""
         at = self.at
-        if all(np.all(at.given[name] != 0) for name in ("friction", "amplitude")):
+        if all(np.all(at.given[name] != 0) for name in ("friction", "amplitude", "stiffness")):
             return self
+        springless = at.given["stiffness"] == 0
+        backward = at.given["friction_backward"]
+        drifts = (at.given["mean_force"] != 0) | ~(np.isnan(backward) | (backward == at.given["friction"]))
+        if np.any(springless & drifts):
+            raise Error("stiffness: must be > 0 with a mean force or friction that differs by direction, because the body drifts")
         found = _native.without_zeros(*self._native_columns)
-        return self._replace(at=at._replace(given={**at.given, **{name: column.reshape(at.shape or ()) for name, column in found.items()}}))
+        return self._replace(springless=springless, at=at._replace(given={**at.given, **{name: column.reshape(at.shape or ()) for name, column in found.items()}}))
 
     @property
     def _native_columns(self) -> tuple[list[Value], str, list[Value], int]:
@@ -126,6 +136,13 @@ class Scaled(NamedTuple):
         return {name: self.value(name) for name in names}
 
     def value(self, name: str) -> Any:
+        found = self._value(name)
+        if name in _OF_SPRING and np.any(self.driven.springless):
+            found = np.where(self.driven.springless, np.nan, found)
+            return found.item() if found.ndim == 0 else found
+        return found
+
+    def _value(self, name: str) -> Any:
         driven, shape = self.driven, self.driven.at.shape
         if name == "angular_frequency":
             return driven.at.in_shape()[name]

@@ -139,10 +139,10 @@ fn periodic<F: Float>(
     if is_free && m.is_multiple_of(2) {
         return repeated(begun, budget);
     }
-    let room = if is_free { rate_noise(u64::from(m)) } else { F::int(0) };
+    let slack = if is_free { rate_noise(u64::from(m)) } else { F::int(0) };
     let found = begun.newton(budget)?;
     let (y, step, left) = (&found.motion.start, &found.motion, &found.left);
-    if !(found.is_periodic(16) && step.rest.is_none() && is_within(&step.derivative, room)) {
+    if !(found.is_periodic(16) && step.rest.is_none() && is_within(&step.derivative, slack)) {
         return Ok(None);
     }
     let (before, room) = ((begin.x - y.x, begin.w - y.w), left.bound());
@@ -156,7 +156,7 @@ fn periodic<F: Float>(
         return Ok(None);
     }
     let found = found.earliest(16, budget)?;
-    if !is_within(&found.motion.derivative, room) {
+    if !is_within(&found.motion.derivative, slack) {
         return Ok(None);
     }
     Ok(Some(LongRun::Periodic(found.steady(budget)?)))

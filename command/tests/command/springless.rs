@@ -1,0 +1,256 @@
+//! A body without a spring under a harmonic drive, from the user's side: beside small steps of a body that has none, and
+//! beside the limits of the formulae.
+
+use crate::command_line::{json, refused, stdout};
+use crate::compared::{Origin, agreed, compared};
+use crate::random::Random;
+use crate::stepped::{Pair, Stepped};
+use serde_json::Value;
+use std::f64::consts::{PI, TAU};
+
+fn number(answer: &Value, name: &str) -> f64 {
+    let physical = &answer["physical"][name];
+    let found = if physical.is_null() { &answer[name] } else { physical };
+    found.as_f64().unwrap_or_else(|| panic!("{name}: {answer}"))
+}
+
+/// m = 2, r_y = 4, ω_d = 3: lengths are r_y/(m ω_d²) = 2/9, velocities 2/3.
+const MACHINE: &str = "--no-spring --mass 2 --friction 4 --frequency 3";
+const LENGTH: f64 = 2.0 / 9.0;
+
+/// Δ₀ = √(α² − π²/4), cos θ₀ = π/(2α) at the turning point, and the threshold √(η² + π²/4): the limits of eq. 43, 44
+/// and 61 for Ω → ∞, which the balance of impulses in half a cycle gives, too.
+#[test]
+fn closed_forms_are_the_limits_for_high_frequencies() {
+    for (alpha, eta) in [(1.8621, 1.0), (3.0, 1.0), (50.0, 1.0), (3.0, 1.7)] {
+        let ratio = if eta > 1.0 { format!("--static-ratio {eta}") } else { String::new() };
+        let answer = json(&format!("response {MACHINE} --force {} {ratio} --format json", 4.0 * alpha));
+        let far = (alpha * alpha - PI * PI / 4.0).sqrt();
+        let of = |name: &str| number(&answer, name);
+        let near = |name: &str, other: f64| {
+            compared(&format!("response {name}"), of(name), other, Origin::ByHand, 1e-14 * other.abs());
+        };
+        near("max_displacement", far * LENGTH);
+        near("energy_per_cycle", 4.0 * 4.0 * far * LENGTH);
+        near("min_force", 4.0 * f64::hypot(eta, PI / 2.0));
+        // 2α cos θ + π = 0 at the reversal from forward to backward.
+        near("displacement_time", (PI + (PI / (2.0 * alpha)).acos()) / 3.0);
+        // 4 r_y Δ₀/(p₀²/(2 m ω_d²)) is greatest at α = π/√2.
+        near("best_force", 4.0 * PI / 2f64.sqrt());
+        for absent in ["omega", "max_spring_force", "dynamic_amplification", "equivalent_damping_ratio"] {
+            assert!(answer[absent].is_null() && answer["physical"][absent].is_null(), "{absent}: {answer}");
+        }
+    }
+    let border =
+        json("border --no-spring --mass 2 --friction 4 --frequency 3 --static-ratio 1.7 --format json");
+    compared(
+        "border min_force_ratio",
+        number(&border, "min_force_ratio"),
+        f64::hypot(1.7, PI / 2.0),
+        Origin::ByHand,
+        1e-14,
+    );
+}
+
+/// The motion under a moving base, with and without a damper and static friction, with and without stops.
+#[test]
+fn steady_motions_are_those_of_small_steps() {
+    let mut random = Random(20_261_128);
+    let mut kinds = [0; 2];
+    for case in 0..24 {
+        let alpha = random.between(1.05, 4.05);
+        let damping = [0.0, 0.4, 5.0][case % 3] * random.next();
+        let peak = if case % 2 == 0 { 1.0 } else { random.between(1.0, 1.6) };
+        if alpha <= peak {
+            continue;
+        }
+        let pair = Pair {
+            mass: [2.0, 1.0],
+            spring: [0.0; 2],
+            damper: [damping, 0.0],
+            friction: 4.0,
+            peak,
+            force: [0.0, 1.0, 0.0],
+            base: [2.0 * alpha, 3.0],
+        };
+        let mut motion = Stepped::new(pair, 0.0, [0.0; 4]);
+        motion.follow(60.0 * TAU / 3.0, 60 * 256);
+        let mut motion = Stepped::new(pair, motion.time, [motion.state[0], 0.0, motion.state[2], 0.0]);
+        motion.follow(TAU / 3.0, 4096);
+        let answer = json(&format!(
+            "steady {MACHINE} --base-acceleration {} --damping {damping} --static-ratio {peak} --format json",
+            2.0 * alpha
+        ));
+        let of = |name: &str| number(&answer, name);
+        let [most, least] = motion.extremes[0];
+        let length = 1e-8 * (1.0 + most - least);
+        let near = |name: &str, ours: f64, other: f64, bound: f64| {
+            compared(&format!("steady {name}"), ours, other, Origin::SmallSteps, bound);
+        };
+        near("max_displacement", of("max_displacement") - of("min_displacement"), most - least, length);
+        assert!((of("max_displacement") + of("min_displacement")).abs() < 1e-12, "{answer}");
+        near("max_velocity", of("max_velocity"), motion.extremes[2][0], length);
+        let share = motion.rest * 3.0 / TAU;
+        near("stick_fraction", number(&answer, "stick_fraction"), share, 1e-7);
+        near("energy_out", of("energy_out"), motion.state[6], 1e-7 * (1.0 + of("energy_out")));
+        let sticks = motion.events.iter().filter(|(_, kind)| *kind == "stick").count();
+        agreed(
+            "steady sticks_per_cycle",
+            answer["sticks_per_cycle"].as_u64(),
+            Some(sticks as u64),
+            Origin::SmallSteps,
+        );
+        kinds[usize::from(sticks > 0)] += 1;
+    }
+    assert!(kinds[0] >= 5 && kinds[1] >= 5, "{kinds:?}");
+}
+
+/// A constant force d r_y moves the body on. Without a stop it slides forward for π(1 + d) of each cycle, by the balance of
+/// impulses, and the reversals follow from `2α sin(θ₀ + τ/2) sin(τ/2) = (1 − d) τ`.
+#[test]
+fn a_constant_force_makes_it_drift() {
+    for (alpha, d) in [(3.0, 0.2), (5.0, -0.4), (20.0, 0.7)] {
+        let forward = PI * (1.0 + d);
+        let start = ((1.0 - d) * forward / (2.0 * alpha * (forward / 2.0).sin())).asin() - forward / 2.0;
+        let travelled = |from: f64, time: f64, push: f64| {
+            alpha * (from.cos() * time - (from + time).sin() + from.sin()) + push * time * time / 2.0
+        };
+        // The other root of the sine is the one at which the force pushes forward.
+        let start = if alpha * start.sin() + d > 1.0 { start } else { PI - forward - start };
+        let drift = travelled(start, forward, d - 1.0) + travelled(start + forward, TAU - forward, d + 1.0);
+        for options in [
+            format!("--friction 4 --mean-force={}", 4.0 * d),
+            format!("--friction {} --friction-backward {}", 4.0 * (1.0 - d), 4.0 * (1.0 + d)),
+        ] {
+            let answer = json(&format!(
+                "steady --no-spring --mass 2 --frequency 3 --force {} {options} --format json",
+                4.0 * alpha
+            ));
+            assert_eq!(answer["kind"], "periodic", "{answer}");
+            let ours = answer["drift"][0].as_f64().unwrap();
+            compared("steady drift", ours, drift * LENGTH, Origin::ByHand, 1e-11 * (alpha * LENGTH));
+            let speed = answer["mean_velocity"][0].as_f64().unwrap();
+            compared(
+                "steady mean_velocity",
+                speed,
+                drift * LENGTH * 3.0 / TAU,
+                Origin::ByHand,
+                1e-11 * alpha,
+            );
+        }
+    }
+    let text = stdout(
+        "steady --no-spring --mass 300kg --friction 400N --mean-force 50N --force 700N --frequency 25Hz",
+    );
+    assert!(text.contains("drifts by"), "{text}");
+}
+
+/// Inverse questions lead back: the force that they name has the amplitude, or the threshold, that was asked for.
+#[test]
+fn design_leads_back() {
+    let force = json(&format!("design force {MACHINE} --format json"));
+    compared(
+        "design force force",
+        number(&force, "force"),
+        4.0 * f64::hypot(1.0, PI / 2.0),
+        Origin::ByHand,
+        1e-13,
+    );
+    assert!(force["foot_displacement"].is_null(), "{force}");
+    let friction = json("design friction --no-spring --mass 2 --frequency 3 --force 12 --format json");
+    compared(
+        "design friction friction",
+        number(&friction, "friction"),
+        12.0 / f64::hypot(1.0, PI / 2.0),
+        Origin::ByHand,
+        1e-13,
+    );
+    // The energy 4 r √(p² − r²π²/4)/(m ω²) is greatest at r = √2 p/π.
+    let most = json("design dissipation --no-spring --mass 2 --frequency 3 --force 12 --format json");
+    compared(
+        "design dissipation friction",
+        number(&most, "friction"),
+        12.0 * 2f64.sqrt() / PI,
+        Origin::ByHand,
+        1e-6,
+    );
+    for (question, output) in [("displacement", "max_displacement"), ("velocity", "max_velocity")] {
+        let found = json(&format!("design {question} {MACHINE} --target 0.9 --format json"));
+        let back = json(&format!("response {MACHINE} --force {} --format json", number(&found, "force")));
+        assert!((number(&back, output) - 0.9).abs() < 1e-12, "{found} {back}");
+    }
+    let held = json("design hold --no-spring --mass 2 --friction 4 --base-displacement 0.5 --format json");
+    // m u ω² = r_y
+    compared("design hold holding_frequency", number(&held, "holding_frequency"), 2.0, Origin::ByHand, 1e-14);
+    let band = json(
+        "design friction --no-spring --mass 2 --over 2:6 --of displacement --base-acceleration 3 --format json",
+    );
+    assert_eq!(band["optimum"], "rest", "{band}");
+}
+
+/// A crate on a truck that brakes with 3 m/s² needs µ = 3/9.80665; a machine at rest needs the force on it.
+#[test]
+fn the_least_friction_that_holds() {
+    let near = |line: &str, name: &str, other: f64| {
+        let found = json(&format!("design hold {line} --quiet --format json"));
+        compared(&format!("design hold {name}"), number(&found, name), other, Origin::ByHand, 1e-14 * other);
+    };
+    near("--no-spring --base-acceleration 3m/s^2", "static_friction_coefficient", 3.0 / 9.80665);
+    near("--no-spring --mass 2 --unbalance 0.1 --frequency 5", "static_friction", 2.5);
+    near("--mass 2 --stiffness 7 --foot-displacement 0.1", "static_friction", 0.7);
+    refused("design hold --mass 2 --unbalance 0.1", &["--frequency is missing"]);
+    refused(
+        "design hold --mass 2 --stiffness 8 --friction 4 --force 1 --frequency 2",
+        &["--frequency 2: must be left out beside a friction"],
+    );
+}
+
+#[test]
+fn a_stiffness_of_zero_is_the_same_and_a_soft_spring_is_near() {
+    let drive = "--mass 2 --friction 4 --frequency 3 --force 12 --format json";
+    let one = json(&format!("response --no-spring {drive}"));
+    assert_eq!(one, json(&format!("response --stiffness 0 {drive}")));
+    // The spring's force is k/(m ω_d²) of the inertia.
+    let soft = json(&format!("response --stiffness 1e-6 {drive}"));
+    let (hard, soft) = (number(&one, "max_displacement"), number(&soft, "max_displacement"));
+    assert!((hard - soft).abs() < 1e-7 * hard && hard != soft, "{hard} {soft}");
+    let rows =
+        stdout("sweep response --no-spring --mass 2 --friction 4 --frequency 3:30:4 --force 12 --format csv");
+    assert_eq!(rows.lines().count(), 5, "{rows}");
+    let motion = stdout(&format!("simulate {MACHINE} --force 12 --cycles 3 --format csv"));
+    assert!(motion.lines().count() > 5, "{motion}");
+}
+
+#[test]
+fn what_needs_a_spring_is_refused() {
+    for (line, words) in [
+        (
+            "response --no-spring --mass 2 --friction 4 --frequency 3 --force 12 --period 1",
+            "--period 1: must be left out with --no-spring",
+        ),
+        (
+            "response --no-spring --mass 2 --friction 4 --frequency 3 --force 12 --damping-ratio 0.1",
+            "--damping-ratio 0.1: must be left out without a spring",
+        ),
+        (
+            "response --no-spring --mass 2 --friction 4 --frequency 3 --foot-displacement 1",
+            "--foot-displacement 1: must be left out without a spring",
+        ),
+        (
+            "response --no-spring --mass 2 --friction 4 --frequency 3 --force 12 --mean-force 1",
+            "--mean-force 1: must be left out without a spring, because the body drifts",
+        ),
+        (
+            "response --no-spring --mass 2 --friction 0 --frequency 3 --force 12",
+            "--friction 0: must be > 0 without a spring",
+        ),
+        ("response --no-spring --mass 2 --friction 4 --force 12 --omega 2", "stiffness k = 0 must be > 0"),
+        (
+            "attractors --no-spring --mass 2 --friction 4 --frequency 3 --force 12 --static-ratio 1.2",
+            "Without a spring a limit has any place",
+        ),
+        ("pull --no-spring --mass 2 --friction 4 --speed 1", "stiffness k = 0 must be > 0"),
+    ] {
+        refused(line, &[words]);
+    }
+}
