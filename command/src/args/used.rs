@@ -46,8 +46,8 @@ motion-plot | RATIOS | DRIVEN | x0 v0 m:units out overwrite title size
 identify | | MASS SPRING gravity force base-acceleration base-velocity base-displacement foot-displacement | file amplitude phase format units
 identify | | MASS SPRING gravity | file motion format units
 identify | decay half_cycles | decay half_cycles MASS SPRING gravity | file format units
-record | | BODY yield-acceleration STATIC mean-force | file no_spring slope one_way time_step column skip record_units scale from to after x0 v0 both_polarities floor_spectrum floor_damping out interval picture title size overwrite enclose format bits units
-spectrum | | BODY yield-acceleration STATIC mean-force | files no_spring slope one_way time_step column skip record_units scale from to after units format out resume shard header no_header picture title size overwrite
+record | | BODY yield-acceleration STATIC mean-force | file no_spring slope one_way time_step time_column column skip record_units scale from to remove_mean resample after x0 v0 both_polarities floor_spectrum floor_damping out interval picture title size overwrite enclose format bits units
+spectrum | | BODY yield-acceleration STATIC mean-force | files no_spring slope one_way time_step time_column column skip record_units scale from to remove_mean resample after units format out resume shard header no_header picture title size overwrite
 decay | FRICTIONS | BODY STATIC mean-force | m:no_spring m:slope m:one_way x0 v0 out title size overwrite format bits m:units
 pull | | BODY STATIC | speed format bits units
 design force | omega FRICTIONS | BODY STATIC mean-force frequency | no_stop format bits m:units

@@ -1,0 +1,151 @@
+//! A file in each layout (`tests/data/layouts.py`), some of which ObsPy wrote or read, and damaged copies of them.
+
+use super::read_text;
+use serde_json::Value;
+use std::path::PathBuf;
+use stickslip_front::record::{Options, Reading};
+
+/// What must be read of a file.
+struct Case {
+    name: String,
+    bytes: Vec<u8>,
+    due: Value,
+}
+
+fn cases() -> Vec<Case> {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../tests/data");
+    let file = std::fs::read_to_string(folder.join("layouts.json")).unwrap();
+    let all: serde_json::Map<String, Value> = serde_json::from_str(&file).unwrap();
+    let case = |(name, due): (String, Value)| {
+        let bytes = std::fs::read(folder.join("layouts").join(&name)).unwrap();
+        Case { name, bytes, due }
+    };
+    all.into_iter().map(case).collect()
+}
+
+impl Case {
+    /// Sets the options that the file needs.
+    fn set<'a>(&'a self, options: &mut Options<'a>) {
+        let option = |name: &str| self.due["options"][name].as_str();
+        (options.column, options.units) = (option("column"), option("units"));
+    }
+
+    fn read(&self, bytes: &[u8]) -> Result<Reading<f64>, String> {
+        read_text(bytes, |options| self.set(options))
+    }
+
+    fn samples(&self) -> Vec<f64> {
+        let number = |value: &Value| value.as_f64().unwrap();
+        self.due["samples"].as_array().unwrap().iter().map(number).collect()
+    }
+}
+
+/// The value of a unit in m/s².
+fn factor(unit: &str) -> f64 {
+    match unit {
+        "g" => super::layouts::G,
+        "cm/s²" => 0.01,
+        "m/s²" => 1.0,
+        other => panic!("{other}"),
+    }
+}
+
+#[test]
+fn each_layout_gives_the_samples_that_were_written() {
+    let cases = cases();
+    assert!(cases.len() >= 17);
+    for case in cases {
+        let (name, due) = (&case.name, &case.due);
+        let found = case.read(&case.bytes).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let (record, summary) = (&found.record, &found.summary);
+        let samples = case.samples();
+        assert_eq!(record.samples().len(), samples.len(), "{name}");
+        let unit = factor(due["unit"].as_str().unwrap());
+        // Four roundings: of two conversions, of the scale, and of the product here.
+        let off = due["tolerance"].as_f64().unwrap_or(4.0 * f64::EPSILON);
+        for (own, sample) in record.samples().iter().zip(&samples) {
+            let sample = sample * due["scale"].as_f64().unwrap() * unit;
+            assert!((own - sample).abs() <= off * sample.abs(), "{name}: {own} {sample}");
+        }
+        match due["step"].as_f64() {
+            Some(step) => assert!((record.step().unwrap() / step - 1.0).abs() < 1e-14, "{name}"),
+            None => {
+                let times = due["times"].as_array().unwrap().iter().map(|time| time.as_str().unwrap());
+                for (index, time) in times.enumerate() {
+                    assert_eq!(record.time(index), time.parse::<f64>().unwrap(), "{name}");
+                }
+            }
+        }
+        assert_eq!(record.time(0), due["start"].as_f64().unwrap_or(0.0), "{name}");
+        assert_eq!(summary.kind, due["kind"].as_str().unwrap(), "{name}");
+        assert_eq!(summary.unit, due["unit"].as_str().unwrap(), "{name}");
+        assert_eq!(summary.channel.as_deref(), due["channel"].as_str(), "{name}");
+        // Only what the formats lack is told: their headers agree with the samples.
+        let is_told = summary.notes.iter().all(|note| note.contains("offset") || note.contains("DEEPSOIL"));
+        assert!(is_told, "{name}: {:?}", summary.notes);
+    }
+}
+
+/// A copy of a file with one change: a byte, or a line left out, repeated or cut, or the file cut.
+fn damaged(bytes: &[u8], mut random: impl FnMut(usize) -> usize) -> Vec<u8> {
+    let mut bytes = bytes.to_vec();
+    let lines: Vec<Vec<u8>> = bytes.split_inclusive(|byte| *byte == b'\n').map(<[u8]>::to_vec).collect();
+    let (line, place) = (random(lines.len()), random(bytes.len()));
+    let mut changed = lines.clone();
+    match random(8) {
+        0 => {
+            changed.remove(line);
+        }
+        1 => changed.insert(line, lines[line].clone()),
+        2 => changed[line].truncate(random(lines[line].len())),
+        3 => changed.truncate(line),
+        4 => changed.swap(line, random(lines.len())),
+        5 => {
+            bytes[place] = b"0123456789.-+ eE*/:,;\t\n\"x"[random(25)];
+            return bytes;
+        }
+        6 => {
+            bytes.remove(place);
+            return bytes;
+        }
+        _ => {
+            bytes[place] ^= 1 << random(8);
+            return bytes;
+        }
+    }
+    changed.concat()
+}
+
+/// Of 500 damaged copies of each file, one that is still read has the number of samples that it had, and what is refused is
+/// refused in one line that names the file or an option.
+#[test]
+fn damaged_files_are_named_or_harmless() {
+    let mut state = 0x2545_f491_4f6c_dd1du64;
+    let mut random = move |below: usize| {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        usize::try_from(state >> 11).unwrap() % below.max(1)
+    };
+    for case in cases() {
+        let mut read = 0;
+        for _ in 0..500 {
+            let bytes = damaged(&case.bytes, &mut random);
+            match case.read(&bytes) {
+                Ok(found) => {
+                    read += 1;
+                    let text = String::from_utf8_lossy(&bytes);
+                    let samples = found.record.samples();
+                    assert_eq!(samples.len(), case.samples().len(), "{}:\n{text}", case.name);
+                    assert!(samples.iter().all(|sample| sample.is_finite()));
+                }
+                Err(error) => {
+                    assert!(!error.contains('\n'), "{error}");
+                    assert!(error.contains("file") || error.contains("--"), "{}: {error}", case.name);
+                }
+            }
+        }
+        // Comments and digits may change.
+        assert!(read > 20, "{}: {read}", case.name);
+    }
+}
