@@ -7,6 +7,7 @@
 mod accelerogram;
 mod cosmos;
 mod geonet;
+mod hint;
 mod keyed;
 mod lines;
 mod network;
@@ -185,20 +186,35 @@ fn found(
     let mut whole = bytes.as_slice().chain(source);
     let lines = Lines::new(&mut whole, options.name);
     let mut sheet = Sheet { lines, asked: options, sink, channels: Vec::new() };
-    for _ in 0..options.skip {
+    let has_text = options.skip == 0 && !bytes.contains(&0);
+    let lines = if has_text { sheet.lines.head(HEAD)? } else { Vec::new() };
+    let head = Head { bytes: bytes.clone(), lines };
+    if let Some(layout) = LAYOUTS.iter().find(|layout| options.skip == 0 && (layout.is)(&head)) {
+        return (layout.read)(&mut sheet);
+    }
+    if let Some(what) = hint::binary(&bytes) {
+        return Err(format!("{}: is {what}", options.name));
+    }
+    as_table(&mut sheet).map_err(|error| hint::led(error, &head, options))
+}
+
+/// Reads a table below the lines that are left out.
+fn as_table(sheet: &mut Sheet<'_>) -> Result<Found, String> {
+    for _ in 0..sheet.asked.skip {
         if sheet.lines.next()?.is_none() {
             break;
         }
     }
-    if options.skip > 0 {
-        return table::read(&mut sheet, table::Known::default());
-    }
-    let lines = if bytes.contains(&0) { Vec::new() } else { sheet.lines.head(HEAD)? };
-    let head = Head { bytes: bytes.clone(), lines };
-    match LAYOUTS.iter().find(|layout| (layout.is)(&head)) {
-        Some(layout) => (layout.read)(&mut sheet),
-        None => table::read(&mut sheet, table::Known::default()),
-    }
+    table::read(sheet, table::Known::default())
+}
+
+/// Reads a text as a table.
+fn read_as_table(
+    text: &mut dyn BufRead,
+    options: &Options<'_>,
+    sink: &mut dyn sheet::Sink,
+) -> Result<Found, String> {
+    as_table(&mut Sheet { lines: Lines::new(text, options.name), asked: options, sink, channels: Vec::new() })
 }
 
 /// The lines in which a layout is known.

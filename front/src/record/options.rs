@@ -16,6 +16,8 @@ pub struct Words {
     pub time_column: &'static str,
     /// The column or the channel.
     pub column: &'static str,
+    /// The lines that are left out; empty where the front has no such option.
+    pub skip: &'static str,
     /// The unit of the samples.
     pub units: &'static str,
     /// What the samples are multiplied by.
@@ -36,6 +38,7 @@ impl Words {
         time_step: "--time-step",
         time_column: "--time-column",
         column: "--column",
+        skip: "--skip",
         units: "--record-units",
         scale: "--scale",
         from: "--from",
@@ -48,6 +51,7 @@ impl Words {
         time_step: "time_step",
         time_column: "time_column",
         column: "column",
+        skip: "skip",
         units: "record_units",
         scale: "scale",
         from: "from",
@@ -58,7 +62,10 @@ impl Words {
     /// The fields of the page.
     pub const PAGE: Self = Self {
         time_step: "the field Time step",
+        time_column: "--time-column of the command",
         column: "the field Column",
+        skip: "",
+        remove_mean: "--remove-mean of the command",
         units: "the field Unit",
         ..Self::COMMAND
     };

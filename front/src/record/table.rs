@@ -1,7 +1,7 @@
 //! Columns of numbers: separated by commas, semicolons, tabs or blanks, with or without names and units, below any lines of
 //! text. LabVIEW and the programs of loggers write them, too.
 
-mod cells;
+pub(super) mod cells;
 pub(super) mod clock;
 mod columns;
 mod header;
@@ -9,7 +9,7 @@ mod header;
 use super::lines::Line;
 use super::sheet::{Found, Ratio, Sheet, Times};
 use super::{Unit, text};
-use cells::{Delimiter, Row, comment, decimal, is_number};
+use cells::{Delimiter, Row, comment, decimal, is_number, width};
 use columns::{Columns, named, unnamed};
 use header::{Name, header};
 use stickslip::inputs::units::{Kind, Reader};
@@ -71,14 +71,6 @@ impl Above {
     }
 }
 
-/// The number of cells of a line.
-fn width(line: &str) -> usize {
-    let mut cells = Vec::new();
-    Delimiter::of(line).cells(line, &mut cells);
-    Delimiter::without_last(&mut cells);
-    cells.len()
-}
-
 /// Whether a line with numbers stands above the table: a line without any follows, and then rows of another width.
 fn is_above(line: &str, next: &[Line]) -> bool {
     let mut next = next.iter().filter(|(_, line)| !line.trim().is_empty() && comment(line).is_none());
@@ -125,6 +117,9 @@ pub(super) fn read(sheet: &mut Sheet<'_>, known: Known) -> Result<Found, String>
     };
     if names.is_empty() && first.is_none() {
         return Err(format!("{file}: has no samples"));
+    }
+    if first.is_none() && !names.iter().any(Name::is_known) {
+        return Err(format!("{file}: has no row of numbers"));
     }
     sheet.channels = names.iter().filter(|name| name.is_load()).map(|name| name.own.clone()).collect();
     let title = above.titles.last().map(|(_, text)| text.clone()).unwrap_or_default();

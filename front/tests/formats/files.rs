@@ -149,3 +149,69 @@ fn damaged_files_are_named_or_harmless() {
         assert!(read > 20, "{}: {read}", case.name);
     }
 }
+
+/// A peak of a header that the samples do not have is told, with its line and in its unit; a step or a number of samples that
+/// contradicts itself is refused.
+#[test]
+fn headers_are_held_against_the_samples() {
+    for (name, from, to, said) in [
+        ("smc.smc", "2.4650000E+01", "9.9990000E+01", "Line 23 of file states the peak 9.9990000E+01, but"),
+        (
+            "csmip.V2",
+            "Peak acceleration =   2",
+            "Peak acceleration =   3",
+            "Line 18 of file states the peak 3",
+        ),
+        ("csmip.V1", "Max  =   0.0", "Max  =   0.1", "states the peak 0.1"),
+        (
+            "unam.txt",
+            "/24.65/",
+            "/-30.5/",
+            "states the peak -30.5, but the samples have 24.6498 in that unit",
+        ),
+        ("knet.EW", "Max. Acc. (gal)   1", "Max. Acc. (gal)   2", "from the mean in that unit"),
+    ] {
+        let case = cases().into_iter().find(|case| case.name == name).unwrap();
+        let text = String::from_utf8(case.bytes.clone()).unwrap();
+        assert!(text.contains(from), "{name}:\n{text}");
+        let found = case.read(text.replace(from, to).as_bytes()).unwrap();
+        assert!(
+            found.summary.notes.iter().any(|note| note.contains(said)),
+            "{name}: {:?}",
+            found.summary.notes
+        );
+    }
+    for (name, from, to, said) in [
+        (
+            "csmip.V2",
+            "intervals of    0.020",
+            "intervals of    0.010",
+            "the step 0.020 s is not 0.01 s, as line 17 states",
+        ),
+        (
+            "csmip.V2",
+            " 45 points of inst",
+            " 44 points of inst",
+            "45 samples, but line 16 states another number",
+        ),
+        (
+            "afad.txt",
+            "DATA          : 45",
+            "DATA          : 46",
+            "46 samples of the channel, but the file has 45",
+        ),
+        ("tspair.txt", "00:00:00.040000", "00:00:00.050000", "is not sample 2 at 50 a second"),
+        (
+            "deepsoil.txt",
+            "0.10 ",
+            "0.12 ",
+            "file line 7: time 0.12: must be a multiple of the step 0.02 of line 1",
+        ),
+    ] {
+        let case = cases().into_iter().find(|case| case.name == name).unwrap();
+        let text = String::from_utf8(case.bytes.clone()).unwrap();
+        assert!(text.contains(from), "{name}:\n{text}");
+        let error = case.read(text.replacen(from, to, 1).as_bytes()).unwrap_err();
+        assert!(error.contains(said), "{name}: {error}");
+    }
+}

@@ -4,6 +4,7 @@ mod bad;
 #[path = "../../../tests/drawn/mod.rs"]
 mod drawn;
 mod files;
+mod laboratories;
 mod layouts;
 mod parts;
 

@@ -100,16 +100,24 @@ pub(super) fn is_number(cell: &str, delimiter: Delimiter) -> bool {
     text::number::<f64>(&decimal(cell, delimiter)).is_some()
 }
 
+/// The number of cells of a line.
+pub(in crate::record) fn width(line: &str) -> usize {
+    let mut cells = Vec::new();
+    Delimiter::of(line).cells(line, &mut cells);
+    Delimiter::without_last(&mut cells);
+    cells.len()
+}
+
 /// What begins a row: numbers or the time of a clock, a word above numbers, or no number at all.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Row {
+pub(in crate::record) enum Row {
     Numbers,
     Labelled,
     Title,
 }
 
 /// What a row is. A number may have a unit.
-pub(super) fn row(line: &str) -> Row {
+pub(in crate::record) fn row(line: &str) -> Row {
     let delimiter = Delimiter::of(line);
     let mut cells = Vec::new();
     delimiter.cells(line, &mut cells);

@@ -102,11 +102,16 @@ fn load(
         (None, [one]) => Ok(*one),
         (None, []) => {
             let spelt: Vec<_> = LOADS.iter().map(|(name, ..)| *name).collect();
+            // A column without a unit may be one of a load; a unit says that it is none.
+            let may = |(place, name): (usize, &Name)| Some(place) != time && name.unit.is_none();
+            let choose = match names.iter().enumerate().any(may) {
+                true => format!(", or choose one by {}", options.words.column),
+                false => String::new(),
+            };
             Err(format!(
                 "{file}: a column of the load is missing in the header “{title}”. Name one of {}, such as \
-                 acceleration[g], or choose one by {}",
+                 acceleration[g]{choose}",
                 spelt.join(", "),
-                options.words.column
             ))
         }
         (None, many) => Err(format!(

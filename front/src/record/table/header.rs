@@ -135,6 +135,11 @@ impl Name {
         name
     }
 
+    /// Whether the name says that the column is the time or a load.
+    pub(super) fn is_known(&self) -> bool {
+        self.role != Role::Other
+    }
+
     /// Whether the column may be a load: by its name, or by its unit.
     pub(super) fn is_load(&self) -> bool {
         let is_of = |kind: Kind| {
@@ -166,7 +171,14 @@ pub(super) fn header(titles: &[Line], remark: Option<&str>, width: usize) -> Vec
     let of = |text: &str| -> Vec<Name> {
         Delimiter::names(text, width).iter().map(|name| Name::new(name)).collect()
     };
-    let is_known = |names: &Vec<Name>| names.iter().any(|name| name.role != Role::Other);
+    let is_known = |names: &Vec<Name>| names.iter().any(Name::is_known);
+    // Words in a sentence are no names, unless they are as many as the columns.
+    let titles: Vec<Line> = titles
+        .iter()
+        .filter(|(_, line)| Delimiter::of(line) != Delimiter::Blanks || width == 0 || of(line).len() == width)
+        .cloned()
+        .collect();
+    let titles = titles.as_slice();
     let Some(((_, last), above)) = titles.split_last() else {
         // The header of a table may be a comment, which then names a time or a unit: “# a comment” does not.
         let is_header = |names: &Vec<Name>| {
