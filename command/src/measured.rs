@@ -13,16 +13,11 @@ use stickslip::motion::record::{After, Record};
 use stickslip_front::record::{self, Options, Summary, Words};
 use stickslip_front::text::printable;
 
-/// Reads a record in the units of the reader, cuts it and scales it. The summary is of the cut, before it is scaled.
-pub(crate) fn read<F: Value>(
-    file: &Path,
-    args: &LoadArgs,
-    reader: &Reader,
-) -> Result<(Record<F>, Summary), Failure> {
-    let name = file.display().to_string();
+/// The options of the reader.
+pub(crate) fn options<'a>(args: &'a LoadArgs, name: &'a str, reader: &'a Reader) -> Options<'a> {
     // A scale with a unit is a sensitivity, which the reader uses.
     let scale = args.scale.as_deref().filter(|text| text.contains('/'));
-    let options = Options {
+    Options {
         time_step: args.time_step.as_deref(),
         time_column: args.time_column.as_deref(),
         column: args.column.as_deref(),
@@ -33,8 +28,19 @@ pub(crate) fn read<F: Value>(
         to: args.to.as_deref(),
         remove_mean: args.remove_mean.as_deref(),
         resample: args.resample.as_deref(),
-        ..Options::new(&name, reader, Words::COMMAND)
-    };
+        ..Options::new(name, reader, Words::COMMAND)
+    }
+}
+
+/// Reads a record in the units of the reader, cuts it and scales it. The summary is of the cut, before it is scaled.
+pub(crate) fn read<F: Value>(
+    file: &Path,
+    args: &LoadArgs,
+    reader: &Reader,
+) -> Result<(Record<F>, Summary), Failure> {
+    let name = file.display().to_string();
+    let options = options(args, &name, reader);
+    let scale = options.scale;
     let found = record::read::<F>(BufReader::new(rows::open(file, &name)?), &options)?;
     let (mut record, summary) = (found.record, found.summary);
     if !found.unused.is_empty() {
@@ -72,7 +78,7 @@ impl<'a, A: Serialize> Described<'a, A> {
 
 /// The fields of a summary, and what follows the record.
 #[derive(Debug)]
-struct Fields<'a>(&'a Summary, After);
+pub(crate) struct Fields<'a>(pub(crate) &'a Summary, pub(crate) After);
 
 impl Serialize for Fields<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {

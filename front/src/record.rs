@@ -6,6 +6,7 @@
 
 mod accelerogram;
 mod cosmos;
+mod describe;
 mod geonet;
 mod hint;
 mod keyed;
@@ -24,6 +25,7 @@ mod table;
 mod text;
 mod unit;
 
+pub use describe::{Channel, describe};
 use lines::{Line, Lines};
 pub use options::{Options, Words};
 use samples::Samples;
@@ -170,15 +172,16 @@ const LAYOUTS: [Layout; 15] = [
 /// the text is longer than memory shall hold.
 pub fn read<F: Float + FromStr>(source: impl BufRead, options: &Options<'_>) -> Result<Reading<F>, String> {
     let mut samples = Samples::<F>::new(options.reader);
-    let found = found(source, options, &mut samples)?;
+    let found = found(source, options, &mut samples, &mut Vec::new())?;
     samples.finish(found, options)
 }
 
-/// Reads the samples by the layout of the file.
+/// Reads the samples by the layout of the file, and lists its channels where it has several.
 fn found(
     mut source: impl BufRead,
     options: &Options<'_>,
     sink: &mut dyn sheet::Sink,
+    channels: &mut Vec<String>,
 ) -> Result<Found, String> {
     let mut bytes = Vec::new();
     let begin = Read::take(&mut source, sac::HEADER as u64).read_to_end(&mut bytes);
@@ -189,13 +192,14 @@ fn found(
     let has_text = options.skip == 0 && !bytes.contains(&0);
     let lines = if has_text { sheet.lines.head(HEAD)? } else { Vec::new() };
     let head = Head { bytes: bytes.clone(), lines };
-    if let Some(layout) = LAYOUTS.iter().find(|layout| options.skip == 0 && (layout.is)(&head)) {
-        return (layout.read)(&mut sheet);
-    }
-    if let Some(what) = hint::binary(&bytes) {
-        return Err(format!("{}: is {what}", options.name));
-    }
-    as_table(&mut sheet).map_err(|error| hint::led(error, &head, options))
+    let layout = LAYOUTS.iter().find(|layout| options.skip == 0 && (layout.is)(&head));
+    let found = match (layout, hint::binary(&bytes)) {
+        (Some(layout), _) => (layout.read)(&mut sheet),
+        (None, Some(what)) => Err(format!("{}: is {what}", options.name)),
+        (None, None) => as_table(&mut sheet).map_err(|error| hint::led(error, &head, options)),
+    };
+    channels.append(&mut sheet.channels);
+    found
 }
 
 /// Reads a table below the lines that are left out.

@@ -88,6 +88,7 @@ states the content of the file. Between samples the load is a straight line. Aft
 acceleration is zero, a support stays (or --after says otherwise), and the body slides to its rest. No stop is missed.
 
 Examples:
+  stickslip record quake.at2 --describe --picture quake.svg
   stickslip record quake.at2 --mass 800kg --period 2.5s --friction-coefficient 0.06 --damping-ratio 5%
   stickslip record quake.csv --mass 800kg --period 2.5s --friction-coefficient 0.06 --scale 1.5 --units kN,mm \\
     --out motion.csv --picture motion.svg
@@ -106,6 +107,10 @@ pub(crate) struct RecordArgs {
     pub(crate) surface: SurfaceArgs,
     #[command(flatten)]
     pub(crate) load: LoadArgs,
+    /// What the file holds, without a machine: channels, units, steps, peaks, gaps, and the frequency of the greatest Fourier
+    /// amplitude
+    #[arg(long)]
+    pub(crate) describe: bool,
     /// Displacement at the start, from the relaxed spring
     #[arg(long, value_name = "X", allow_hyphen_values = true)]
     pub(crate) x0: Option<String>,

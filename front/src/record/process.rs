@@ -118,21 +118,7 @@ fn resampled<F: Float + FromStr>(
     }
     // The last sample stays where the quotient is whole but for its rounding.
     let count = (steps * (1.0 + 4.0 * f64::EPSILON)).floor() as usize;
-    let samples = record.samples();
-    let sample = |place: usize| samples.get(place).copied().unwrap_or(F::int(0));
-    let last = samples.len().saturating_sub(1);
-    let mut before = 0usize;
-    let values = (0..=count).map(|index| {
-        let time = start + F::from_f64(index as f64) * step;
-        let time = if time > end { end } else { time };
-        while before.saturating_add(1) < last && record.time(before.saturating_add(1)) <= time {
-            before = before.saturating_add(1);
-        }
-        let (from, to) = (record.time(before), record.time(before.saturating_add(1)));
-        let (first, second) = (sample(before), sample(before.saturating_add(1)));
-        if to > from { first + (second - first) * ((time - from) / (to - from)) } else { second }
-    });
-    let values: Vec<F> = values.collect();
+    let values = on_lines(&record, step, count.saturating_add(1));
     let was = match record.step() {
         Some(step) => format!("{} s", digits(step.to_f64())),
         None => "unequal steps".to_owned(),
@@ -142,4 +128,24 @@ fn resampled<F: Float + FromStr>(
     notes.push(format!("Resampled on straight lines from {was} to {} s{loss}.", digits(step.to_f64())));
     let new = Record::new(record.excitation(), step, values).and_then(|new| new.beginning_at(start));
     new.map(|new| new.followed_by(record.after())).map_err(|error| wrong(&error.to_string()))
+}
+
+/// As many values of the straight lines of a record, at equal steps from its first sample on.
+pub(super) fn on_lines<F: Float>(record: &Record<F>, step: F, count: usize) -> Vec<F> {
+    let (start, end) = (record.time(0), record.end());
+    let samples = record.samples();
+    let sample = |place: usize| samples.get(place).copied().unwrap_or(F::int(0));
+    let last = samples.len().saturating_sub(1);
+    let mut before = 0usize;
+    let value = |index: usize| {
+        let time = start + F::from_f64(index as f64) * step;
+        let time = if time > end { end } else { time };
+        while before.saturating_add(1) < last && record.time(before.saturating_add(1)) <= time {
+            before = before.saturating_add(1);
+        }
+        let (from, to) = (record.time(before), record.time(before.saturating_add(1)));
+        let (first, second) = (sample(before), sample(before.saturating_add(1)));
+        if to > from { first + (second - first) * ((time - from) / (to - from)) } else { second }
+    };
+    (0..count).map(value).collect()
 }

@@ -121,7 +121,9 @@ pub(super) fn read(sheet: &mut Sheet<'_>, known: Known) -> Result<Found, String>
     if first.is_none() && !names.iter().any(Name::is_known) {
         return Err(format!("{file}: has no row of numbers"));
     }
-    sheet.channels = names.iter().filter(|name| name.is_load()).map(|name| name.own.clone()).collect();
+    let may_be_load =
+        |name: &&Name| name.is_load() || (known.unit.is_some() && name.role != header::Role::Time);
+    sheet.channels = names.iter().filter(may_be_load).map(|name| name.own.clone()).collect();
     let title = above.titles.last().map(|(_, text)| text.clone()).unwrap_or_default();
     let columns = if names.is_empty() {
         unnamed(width, options.time_step.is_some() || above.step.is_some(), options, &known)?

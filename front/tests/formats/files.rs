@@ -3,7 +3,8 @@
 use super::read_text;
 use serde_json::Value;
 use std::path::PathBuf;
-use stickslip_front::record::{Options, Reading};
+use stickslip::inputs::units::{Reader, System};
+use stickslip_front::record::{Options, Reading, Words, describe};
 
 /// What must be read of a file.
 struct Case {
@@ -214,4 +215,38 @@ fn headers_are_held_against_the_samples() {
         let error = case.read(text.replacen(from, to, 1).as_bytes()).unwrap_err();
         assert!(error.contains(said), "{name}: {error}");
     }
+}
+
+/// Each channel of a file is described without a machine, with the frequency of its greatest Fourier amplitude and its gaps.
+#[test]
+fn files_are_described() {
+    let reader = Reader::new(Some(&System::default()), "--units N,m");
+    let described =
+        |bytes: &[u8]| describe(|| Ok(bytes), &Options::new("file", &reader, Words::COMMAND)).unwrap();
+    for (name, channels) in [
+        ("csmip.V1", vec!["360 Deg", "90 Deg"]),
+        ("unam.txt", vec!["V", "N00E", "N90E"]),
+        ("afad.txt", vec!["N-S", "E-W", "U-D"]),
+        ("smc.smc", vec!["360"]),
+    ] {
+        let case = cases().into_iter().find(|case| case.name == name).unwrap();
+        let found = described(&case.bytes);
+        let names: Vec<_> = found.iter().map(|channel| channel.summary.channel.as_deref().unwrap()).collect();
+        assert_eq!(names, channels);
+        for channel in &found {
+            assert_eq!((channel.record.samples().len(), channel.gaps.len()), (45, 0), "{name}");
+            // The samples are sin(0.7 i) below a bell: the peak is that of the sine, to half of the grid of 256 points.
+            let due = 0.7 / std::f64::consts::TAU / 0.02;
+            assert!((channel.peak_frequency.unwrap() - due).abs() <= 0.5 * 50.0 / 256.0, "{name}");
+        }
+    }
+    let rows = |i: i32| format!("{:.2},{:.4}\n", f64::from(i) / 100.0, (f64::from(i) * 0.3).sin());
+    let text: String = (0..200).filter(|i| !(60..70).contains(i) && *i != 120).map(rows).collect();
+    let [channel] = described(format!("time[s],acc[g]\n{text}").as_bytes()).try_into().unwrap();
+    assert_eq!(channel.gaps, [[0.59, 0.7], [1.19, 1.21]]);
+    let sentences = channel.sentences(|x| format!("{x:.2}"));
+    assert!(
+        sentences.ends_with("It has 2 gaps, such as from 0.59 s to 0.70 s, 1.19 s to 1.21 s."),
+        "{sentences}"
+    );
 }
