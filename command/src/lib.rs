@@ -21,6 +21,7 @@ mod closed;
 mod columns;
 mod curve;
 mod decay;
+mod described;
 mod design;
 #[cfg(test)]
 #[path = "../../tests/drawn/mod.rs"]

@@ -8,10 +8,29 @@ use crate::rows;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::BufReader;
 use std::path::Path;
-use stickslip::inputs::units::{Kind, Reader};
+use stickslip::inputs::units::Reader;
 use stickslip::motion::record::{After, Record};
-use stickslip_front::record::{self, Cut, Options, Summary, Words};
+use stickslip_front::record::{self, Options, Summary, Words};
 use stickslip_front::text::printable;
+
+/// The options of the reader.
+pub(crate) fn options<'a>(args: &'a LoadArgs, name: &'a str, reader: &'a Reader) -> Options<'a> {
+    // A scale with a unit is a sensitivity, which the reader uses.
+    let scale = args.scale.as_deref().filter(|text| text.contains('/'));
+    Options {
+        time_step: args.time_step.as_deref(),
+        time_column: args.time_column.as_deref(),
+        column: args.column.as_deref(),
+        skip: args.skip,
+        units: args.record_units.as_deref(),
+        scale,
+        from: args.from.as_deref(),
+        to: args.to.as_deref(),
+        remove_mean: args.remove_mean.as_deref(),
+        resample: args.resample.as_deref(),
+        ..Options::new(name, reader, Words::COMMAND)
+    }
+}
 
 /// Reads a record in the units of the reader, cuts it and scales it. The summary is of the cut, before it is scaled.
 pub(crate) fn read<F: Value>(
@@ -20,30 +39,14 @@ pub(crate) fn read<F: Value>(
     reader: &Reader,
 ) -> Result<(Record<F>, Summary), Failure> {
     let name = file.display().to_string();
-    let time = |option: &str, text: &Option<String>| {
-        text.as_ref().map(|text| reader.value::<F>(option, text, Kind::Time)).transpose()
-    };
-    let time_step = time("--time-step", &args.time_step)?;
-    let (from, to) = (time("--from", &args.from)?, time("--to", &args.to)?);
-    let typed: Vec<String> = [("--from", &args.from), ("--to", &args.to)]
-        .into_iter()
-        .filter_map(|(option, text)| text.as_ref().map(|text| format!("{option} {text}")))
-        .collect();
-    let typed = typed.join(" ");
-    let options = Options {
-        time_step,
-        column: args.column.as_deref(),
-        skip: args.skip,
-        units: args.record_units.as_deref(),
-        cut: (from.is_some() || to.is_some()).then_some(Cut { from, to, typed: &typed }),
-        ..Options::new(&name, reader, Words::COMMAND)
-    };
+    let options = options(args, &name, reader);
+    let scale = options.scale;
     let found = record::read::<F>(BufReader::new(rows::open(file, &name)?), &options)?;
     let (mut record, summary) = (found.record, found.summary);
     if !found.unused.is_empty() {
         progress::note(&format!("{name}: columns not used: {}", found.unused.join(", ")));
     }
-    if let Some(text) = &args.scale {
+    if let Some(text) = args.scale.as_ref().filter(|_| scale.is_none()) {
         let factor = crate::input::number::<F>("--scale", text)?;
         record = record.scaled(factor).map_err(|e| format!("--scale {text}: {e}"))?;
     }
@@ -75,12 +78,24 @@ impl<'a, A: Serialize> Described<'a, A> {
 
 /// The fields of a summary, and what follows the record.
 #[derive(Debug)]
-struct Fields<'a>(&'a Summary, After);
+pub(crate) struct Fields<'a>(pub(crate) &'a Summary, pub(crate) After);
 
 impl Serialize for Fields<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let Summary { kind, channel, quantity, samples, time_step, duration, peak, peak_at, mean, unit } =
-            self.0;
+        let Summary {
+            kind,
+            channel,
+            quantity,
+            samples,
+            time_step,
+            steps: _,
+            duration,
+            peak,
+            peak_at,
+            mean,
+            unit,
+            notes,
+        } = self.0;
         let mut map = serializer.serialize_map(None)?;
         map.serialize_entry("kind", kind)?;
         map.serialize_entry("channel", channel)?;
@@ -92,6 +107,7 @@ impl Serialize for Fields<'_> {
         map.serialize_entry("peak_at", peak_at)?;
         map.serialize_entry("mean", mean)?;
         map.serialize_entry("unit", unit)?;
+        map.serialize_entry("notes", notes)?;
         map.serialize_entry("after", self.1.name())?;
         map.end()
     }

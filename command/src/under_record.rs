@@ -22,6 +22,9 @@ use stickslip::motion::record::{Entry, Record, RecordAnswer, RecordMotion, Recor
 use stickslip_figures::{Axis, Figure, Panel, Series, Style};
 
 pub(crate) fn run(args: &RecordArgs, out: &mut impl Write) -> Outcome {
+    if args.describe {
+        return crate::described::run(args, out);
+    }
     if args.enclose {
         return enclose::record(args, out);
     }
@@ -278,17 +281,11 @@ fn states<F: Value>(
     Ok(table.flush()?)
 }
 
-/// The load, the displacement, the velocity and the absolute acceleration over time, and the force on the support over the
-/// displacement.
-fn drawing<F: Value>(
+/// The name and the kind of the samples of a record, and those that a picture shows, over their times.
+pub(crate) fn drawn_load<F: Value>(
     record: &Record<F>,
-    motion: &RecordMotion<F>,
-    (system, has_mass): (&System, bool),
-    file: &Path,
-    machine: &str,
-) -> Figure {
-    let time = |index: usize| record.time(index).to_f64();
-    let samples = record.samples().iter().enumerate();
+    system: &System,
+) -> (&'static str, Kind, Vec<(f64, f64)>) {
     let (name, kind) = match record.excitation() {
         stickslip::Excitation::Force => ("force", Kind::Force),
         stickslip::Excitation::SurfaceAcceleration => ("acceleration of the surface", Kind::Acceleration),
@@ -299,10 +296,24 @@ fn drawing<F: Value>(
         | stickslip::Excitation::SurfaceVelocity
         | _ => ("displacement of the support", Kind::Length),
     };
+    let time = |index: usize| record.time(index).to_f64();
+    let samples = record.samples().iter().enumerate();
     let load: Vec<_> =
         samples.map(|(index, sample)| (time(index), system.shown(kind, *sample).to_f64())).collect();
     let places = motion_plot::drawn(&load.iter().map(|point| point.1).collect::<Vec<_>>());
-    let load: Vec<_> = places.iter().filter_map(|place| load.get(*place)).copied().collect();
+    (name, kind, places.iter().filter_map(|place| load.get(*place)).copied().collect())
+}
+
+/// The load, the displacement, the velocity and the absolute acceleration over time, and the force on the support over the
+/// displacement.
+fn drawing<F: Value>(
+    record: &Record<F>,
+    motion: &RecordMotion<F>,
+    (system, has_mass): (&System, bool),
+    file: &Path,
+    machine: &str,
+) -> Figure {
+    let (name, kind, load) = drawn_load(record, system);
     let label = |name: &str, kind: Kind| format!("{name} ({})", system.name(kind));
     let times = || motion.states.iter().map(|state| state.time.to_f64());
     let last = times().chain(load.iter().map(|(time, _)| *time)).fold(f64::NEG_INFINITY, f64::max);

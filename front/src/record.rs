@@ -1,179 +1,40 @@
 //! The file of a record: of an agency, or columns of numbers. Its layout is found by its content, not by its name.
 //!
-//! | layout | found by |
-//! |---|---|
-//! | COSMOS V1 and V2 | `(Format v01.20 with 13 text lines)` in the first line |
-//! | GeoNet V1A and V2A | `corrected accelerogram` in the first line, and `Component` |
-//! | K-NET and KiK-net | `Scale Factor` and `Sampling Freq(Hz)` |
-//! | ESM and DYNA | `SAMPLING_INTERVAL_S:` |
-//! | CWB | `#DataSequence:` |
-//! | PEER, since 1999 | `NPTS`, or `TIME SERIES` and `TIME HISTORY` in `UNITS OF` |
-//! | columns | any other text |
+//! [`LAYOUTS`] lists them.
 //!
 //! The text is read line by line: memory holds the samples and one line.
 
+mod accelerogram;
 mod cosmos;
+mod describe;
 mod geonet;
+mod hint;
 mod keyed;
 mod lines;
+mod network;
+mod options;
 mod peer;
+mod plain;
+mod process;
+mod sac;
 mod samples;
+mod series;
+mod sheet;
+mod smc;
 mod table;
 mod text;
+mod unit;
 
-use lines::Lines;
-use std::io::BufRead;
+pub use describe::{Channel, describe};
+use lines::{Line, Lines};
+pub use options::{Options, Words};
+use samples::Samples;
+use sheet::{Found, Ratio, Sheet};
+use std::io::{BufRead, Read};
 use std::str::FromStr;
-use stickslip::inputs::units::{Factor, Kind, Reader};
 use stickslip::motion::record::{After, Record, RecordAnswer};
 use stickslip::{Excitation, Float};
-
-/// The names that a front has for the options of the reader, for its messages.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Words {
-    /// The time between samples.
-    pub time_step: &'static str,
-    /// The column or the channel.
-    pub column: &'static str,
-    /// The unit of the samples.
-    pub units: &'static str,
-}
-
-impl Words {
-    /// The options of the command.
-    pub const COMMAND: Self = Self { time_step: "--time-step", column: "--column", units: "--record-units" };
-    /// The arguments of `Record.read` in Python.
-    pub const PYTHON: Self = Self { time_step: "time_step", column: "column", units: "record_units" };
-    /// The fields of the page.
-    pub const PAGE: Self =
-        Self { time_step: "the field Time step", column: "the field Column", units: "the field Unit" };
-}
-
-/// What is known of a file beside its text.
-#[derive(Debug, Clone, Copy)]
-pub struct Options<'a, F> {
-    /// The name of the file in messages.
-    pub name: &'a str,
-    /// The reader of values, whose system of units is that of the record.
-    pub reader: &'a Reader,
-    /// The time between samples, where the file does not state it, in s.
-    pub time_step: Option<F>,
-    /// The column by its name or its number from 1, or the channel; `all` reads every number of a text without
-    /// names, row by row.
-    pub column: Option<&'a str>,
-    /// The lines before the columns that are left out. The text is then one of columns.
-    pub skip: u64,
-    /// The unit of the samples, where the file does not state it.
-    pub units: Option<&'a str>,
-    /// The part of the record that is wanted, if it is not all of it.
-    pub cut: Option<Cut<'a, F>>,
-    /// The names of these options.
-    pub words: Words,
-}
-
-/// A part of a record: the samples within two times, both included.
-#[derive(Debug, Clone, Copy)]
-pub struct Cut<'a, F> {
-    /// The time at which it begins, in s; that of the first sample by default.
-    pub from: Option<F>,
-    /// The time at which it ends, in s; that of the last sample by default.
-    pub to: Option<F>,
-    /// Both as they were given, for messages.
-    pub typed: &'a str,
-}
-
-impl<'a, F> Options<'a, F> {
-    /// A file of this name, which states everything by itself.
-    pub const fn new(name: &'a str, reader: &'a Reader, words: Words) -> Self {
-        Self { name, reader, time_step: None, column: None, skip: 0, units: None, cut: None, words }
-    }
-
-    /// An error at a line.
-    fn at(&self, line: u64, what: &str) -> String {
-        format!("{} line {line}: {what}", self.name)
-    }
-
-    /// The kind and the factor of the samples, from the unit that the file states in a line or else from the option.
-    fn unit(&self, stated: Option<(u64, &str)>) -> Result<Unit, String> {
-        match (stated, self.units) {
-            (Some((line, _)), Some(typed)) => Err(format!(
-                "{} {typed}: must be left out, because {} states its own unit in line {line}",
-                self.words.units, self.name
-            )),
-            (None, None) => {
-                Err(format!("{}: states no unit. Give it by {}, such as g", self.name, self.words.units))
-            }
-            (Some((line, stated)), None) => Unit::new(
-                &format!("{} line {line}: unit", self.name),
-                stated,
-                self.reader,
-                Some(Kind::Acceleration),
-            ),
-            (None, Some(typed)) => Unit::new(self.words.units, typed, self.reader, Some(Kind::Acceleration)),
-        }
-    }
-
-    /// Fails where the file states its step and the option does, too.
-    fn without_step(&self) -> Result<(), String> {
-        match self.time_step {
-            None => Ok(()),
-            Some(_) => Err(format!(
-                "{}: must be left out, because {} states its own step",
-                self.words.time_step, self.name
-            )),
-        }
-    }
-
-    /// Whether this channel of several is the one that was asked for.
-    fn is_channel(&self, place: usize, name: &str) -> Option<bool> {
-        self.column.map(|column| {
-            column.trim().eq_ignore_ascii_case(name.trim()) || column.trim().parse::<usize>() == Ok(place)
-        })
-    }
-}
-
-/// The unit of samples.
-#[derive(Debug, Clone)]
-struct Unit {
-    name: String,
-    /// The factor to the consistent system of the reader; none where values have units of their own.
-    factor: Option<Factor>,
-    kind: Kind,
-}
-
-impl Unit {
-    /// The unit of a text in a file: of this kind, or else of an acceleration, a force or a length.
-    fn new(at: &str, stated: &str, reader: &Reader, kind: Option<Kind>) -> Result<Self, String> {
-        let spelt = text::unit(stated);
-        let kinds = [Kind::Acceleration, Kind::Force, Kind::Length];
-        let factor = |kind: Kind| reader.factor_of_column(at, &spelt, kind);
-        let found = match kind {
-            Some(kind) => factor(kind).map(|factor| (factor, kind)),
-            None => {
-                let first = factor(Kind::Acceleration).map(|factor| (factor, Kind::Acceleration));
-                kinds.into_iter().skip(1).fold(first, |found, kind| {
-                    found.or_else(|error| factor(kind).map(|factor| (factor, kind)).map_err(|_| error))
-                })
-            }
-        };
-        let (factor, kind) = found.map_err(|error| error.to_string())?;
-        Ok(Self { name: text::shown(&spelt), factor: Some(factor), kind })
-    }
-
-    /// The value in the system of the reader.
-    fn times<F: Float + FromStr>(&self, value: F) -> F {
-        self.factor.map_or(value, |factor| factor.times(value))
-    }
-
-    /// The load of a unit without a name: the acceleration of the surface, a force, or the displacement of the support.
-    const fn excitation(&self) -> Excitation {
-        match self.kind {
-            Kind::Force => Excitation::Force,
-            Kind::Length => Excitation::FootMotion,
-            _ => Excitation::SurfaceAcceleration,
-        }
-    }
-}
+use unit::Unit;
 
 /// A record, and the description of its file.
 #[derive(Debug, Clone)]
@@ -189,7 +50,7 @@ pub struct Reading<F> {
 /// What was read of a file, of the part that was wanted: before it is scaled, in the unit of the file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Summary {
-    /// The layout: `PEER`, `K-NET`, `ESM`, `CWB`, `COSMOS`, `GeoNet` or `columns`.
+    /// The layout, such as `PEER`, `K-NET`, `SMC` or `columns`.
     pub kind: &'static str,
     /// The channel or the name of the column, where the file states it.
     pub channel: Option<String>,
@@ -199,6 +60,8 @@ pub struct Summary {
     pub samples: usize,
     /// The step in s, where all steps are equal.
     pub time_step: Option<f64>,
+    /// The shortest and the longest step in s.
+    pub steps: [f64; 2],
     /// The time from the first sample to the last one, in s.
     pub duration: f64,
     /// The sample of greatest magnitude.
@@ -209,19 +72,22 @@ pub struct Summary {
     pub mean: f64,
     /// The unit of the peak and of the mean.
     pub unit: String,
+    /// What else is to be known, in sentences: what was done with the samples, and where the header disagrees with them.
+    pub notes: Vec<String>,
 }
 
 impl Summary {
     /// The summary in one sentence, with numbers written by `number`.
     pub fn sentence(&self, number: impl Fn(f64) -> String) -> String {
-        let Self { kind, samples, unit, .. } = self;
+        let Self { kind, samples, unit, steps: [least, most], .. } = self;
         // The field has the name of the column, which sentences do not use.
         let quantity = self.quantity.replace("foot", "support");
         let channel = self.channel.as_ref().map_or(String::new(), |channel| format!(" “{channel}”"));
-        let step =
-            self.time_step.map_or("at unequal steps".to_owned(), |step| format!("{} s apart", number(step)));
+        let unequal = || format!("at unequal steps of {} s to {} s", number(*least), number(*most));
+        let step = self.time_step.map_or_else(unequal, |step| format!("{} s apart", number(step)));
+        let notes: String = self.notes.iter().map(|note| format!(" {note}")).collect();
         format!(
-            "Record ({kind}{channel}): {samples} samples of {quantity} {step}, {} s; peak {} {unit} at {} s, mean {} {unit}.",
+            "Record ({kind}{channel}): {samples} samples of {quantity} {step}, {} s; peak {} {unit} at {} s, mean {} {unit}.{notes}",
             number(self.duration),
             number(self.peak),
             number(self.peak_at),
@@ -252,49 +118,108 @@ pub fn follows<F: Float>(record: &Record<F>) -> &'static str {
     }
 }
 
+/// What is seen of a file before its layout is known.
+struct Head {
+    /// The first bytes, of which there are as many as a header of SAC has.
+    bytes: Vec<u8>,
+    /// The first lines of a text; none of a binary file.
+    lines: Vec<Line>,
+}
+
+impl Head {
+    /// Whether a line begins with this text.
+    fn has(&self, part: &str) -> bool {
+        self.lines.iter().any(|(_, text)| text.starts_with(part))
+    }
+
+    /// The first line, in small letters.
+    fn first(&self) -> String {
+        self.lines.first().map(|(_, text)| text.to_lowercase()).unwrap_or_default()
+    }
+}
+
+/// A layout: how it is known, and how it is read.
+struct Layout {
+    is: fn(&Head) -> bool,
+    read: fn(&mut Sheet<'_>) -> Result<Found, String>,
+}
+
+/// The layouts in the order in which they are tried. A text that is none of them is a table.
+const LAYOUTS: [Layout; 15] = [
+    Layout { is: sac::is_binary, read: sac::binary },
+    Layout { is: series::is_mini_seed, read: series::mini_seed },
+    Layout { is: cosmos::is, read: cosmos::read },
+    Layout { is: geonet::is, read: geonet::read },
+    Layout { is: smc::is, read: smc::read },
+    Layout { is: accelerogram::is, read: accelerogram::read },
+    Layout { is: |head| head.has("Scale Factor") && head.has("Sampling Freq"), read: keyed::knet },
+    Layout { is: |head| head.has("SAMPLING_INTERVAL_S"), read: keyed::esm },
+    Layout { is: |head| head.has("#DataSequence"), read: keyed::cwb },
+    Layout { is: network::is_unam, read: network::unam },
+    Layout { is: network::is_afad, read: network::afad },
+    Layout { is: series::is, read: series::read },
+    Layout { is: sac::is_text, read: sac::text },
+    Layout { is: |head| peer::header(&head.lines).is_some(), read: peer::read },
+    // Known by a few numbers only.
+    Layout { is: plain::is, read: plain::read },
+];
+
 /// Reads a record.
 ///
 /// # Errors
 /// One line that names the file, the line and the value: where the text is in none of the layouts, a unit is unknown, a
 /// value is no number, the number of samples differs from the one stated, a time is before that of the line above, or
 /// the text is longer than memory shall hold.
-pub fn read<F: Float + FromStr>(
-    source: impl BufRead,
-    options: &Options<'_, F>,
-) -> Result<Reading<F>, String> {
-    let mut lines = Lines::new(source, options.name);
-    if options.skip > 0 {
-        for _ in 0..options.skip {
-            if lines.next()?.is_none() {
-                break;
-            }
+pub fn read<F: Float + FromStr>(source: impl BufRead, options: &Options<'_>) -> Result<Reading<F>, String> {
+    let mut samples = Samples::<F>::new(options.reader);
+    let found = found(source, options, &mut samples, &mut Vec::new())?;
+    samples.finish(found, options)
+}
+
+/// Reads the samples by the layout of the file, and lists its channels where it has several.
+fn found(
+    mut source: impl BufRead,
+    options: &Options<'_>,
+    sink: &mut dyn sheet::Sink,
+    channels: &mut Vec<String>,
+) -> Result<Found, String> {
+    let mut bytes = Vec::new();
+    let begin = Read::take(&mut source, sac::HEADER as u64).read_to_end(&mut bytes);
+    begin.map_err(|error| format!("{}: {error}", options.name))?;
+    let mut whole = bytes.as_slice().chain(source);
+    let lines = Lines::new(&mut whole, options.name);
+    let mut sheet = Sheet { lines, asked: options, sink, channels: Vec::new() };
+    let has_text = options.skip == 0 && !bytes.contains(&0);
+    let lines = if has_text { sheet.lines.head(HEAD)? } else { Vec::new() };
+    let head = Head { bytes: bytes.clone(), lines };
+    let layout = LAYOUTS.iter().find(|layout| options.skip == 0 && (layout.is)(&head));
+    let found = match (layout, hint::binary(&bytes)) {
+        (Some(layout), _) => (layout.read)(&mut sheet),
+        (None, Some(what)) => Err(format!("{}: is {what}", options.name)),
+        (None, None) => as_table(&mut sheet).map_err(|error| hint::led(error, &head, options)),
+    };
+    channels.append(&mut sheet.channels);
+    found
+}
+
+/// Reads a table below the lines that are left out.
+fn as_table(sheet: &mut Sheet<'_>) -> Result<Found, String> {
+    for _ in 0..sheet.asked.skip {
+        if sheet.lines.next()?.is_none() {
+            break;
         }
-        return table::read(&mut lines, options, table::Known::default());
     }
-    let head = lines.head(HEAD)?;
-    let has = |part: &str| head.iter().any(|(_, text)| text.starts_with(part));
-    let first = head.first().map(|(_, text)| text.to_ascii_lowercase()).unwrap_or_default();
-    if cosmos::is_first(&first) {
-        return cosmos::read(&mut lines, options);
-    }
-    if first.contains("corrected accelerogram") && head.iter().any(|(_, text)| text.starts_with("Component"))
-    {
-        return geonet::read(&mut lines, options);
-    }
-    if has("Scale Factor") && has("Sampling Freq") {
-        return keyed::knet(&mut lines, options);
-    }
-    if has("SAMPLING_INTERVAL_S") {
-        return keyed::esm(&mut lines, options);
-    }
-    if has("#DataSequence") {
-        return keyed::cwb(&mut lines, options);
-    }
-    if let Some(header) = peer::header(&head) {
-        return peer::read(&mut lines, options, &header);
-    }
-    table::read(&mut lines, options, table::Known::default())
+    table::read(sheet, table::Known::default())
+}
+
+/// Reads a text as a table.
+fn read_as_table(
+    text: &mut dyn BufRead,
+    options: &Options<'_>,
+    sink: &mut dyn sheet::Sink,
+) -> Result<Found, String> {
+    as_table(&mut Sheet { lines: Lines::new(text, options.name), asked: options, sink, channels: Vec::new() })
 }
 
 /// The lines in which a layout is known.
-const HEAD: usize = 64;
+const HEAD: usize = 128;

@@ -16,7 +16,8 @@ pub fn reader(file: &[u8]) {
     let reader = Reader::new(None, "--units N,m");
     let pick = |from: &[&'static str], index: u8| from.get(usize::from(index) % (from.len() + 1)).copied();
     let options = Options {
-        time_step: (step % 2 == 1).then_some(0.01),
+        time_step: (step % 2 == 1).then_some("0.01"),
+        time_column: (step % 4 == 2).then_some("2"),
         column: pick(&["1", "2", "all", "N", "acc", "chan 1"], *column),
         skip: u64::from(skip % 4),
         units: pick(&["g", "gal", "N", "mm", "furlong"], *units),

@@ -84,10 +84,12 @@ fn record_read<'py>(
     record_units: Option<&str>,
 ) -> PyResult<FileRead<'py>> {
     let file = if bytes.is_none() { Some(File::open(name)?) } else { None };
+    // The shortest decimal is read as the same number.
+    let time_step = time_step.map(|step| format!("{step:e} s"));
     let found = py.detach(|| {
         let reader = Reader::new(Some(&System::default()), "units");
         let options = Options {
-            time_step,
+            time_step: time_step.as_deref(),
             column,
             skip,
             units: record_units,
@@ -121,6 +123,7 @@ fn record_read<'py>(
     fields.set_item("peak_at", summary.peak_at)?;
     fields.set_item("mean", summary.mean)?;
     fields.set_item("unit", &summary.unit)?;
+    fields.set_item("notes", &summary.notes)?;
     Ok(((of, times, record.samples().to_vec(), unit), fields))
 }
 

@@ -61,10 +61,8 @@ fn body_inputs(asked: &Asked<'_>, reader: &Reader) -> Result<Given<f64>, String>
 /// The record of the question, and what was read of its file.
 fn load(asked: &Asked<'_>, reader: &Reader) -> Result<Reading<f64>, String> {
     let (text, name) = (asked.text("text").unwrap_or_default(), asked.text("name").unwrap_or("record"));
-    let step =
-        asked.text("time_step").map(|text| reader.value::<f64>("time step", text, Kind::Time)).transpose()?;
     let options = Options {
-        time_step: step,
+        time_step: asked.text("time_step"),
         column: asked.text("column"),
         units: asked.text("record_units"),
         ..Options::new(name, reader, Words::PAGE)

@@ -11,6 +11,9 @@ pub(crate) struct LoadArgs {
     /// Time between samples in a file that does not state it, such as 0.005s
     #[arg(long, value_name = "DT", allow_hyphen_values = true)]
     pub(crate) time_step: Option<String>,
+    /// Column of the time by its name or its number from 1, where its name does not say so
+    #[arg(long, value_name = "NAME|N")]
+    pub(crate) time_column: Option<String>,
     /// Column by its name or its number from 1, or the channel of an agency's file. The word all reads columns without names row
     /// by row
     #[arg(long, value_name = "NAME|N")]
@@ -21,7 +24,7 @@ pub(crate) struct LoadArgs {
     /// Unit of the samples in a file that does not state it, such as g, cm/s^2 or kN
     #[arg(long, value_name = "UNIT")]
     pub(crate) record_units: Option<String>,
-    /// Factor by which the record is multiplied
+    /// Factor by which the record is multiplied, or what a signal is, such as "2.5 N/V"
     #[arg(long, value_name = "FACTOR", allow_hyphen_values = true)]
     pub(crate) scale: Option<String>,
     /// Time at which the record begins: samples before it are left out
@@ -30,6 +33,12 @@ pub(crate) struct LoadArgs {
     /// Time at which the record ends
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     pub(crate) to: Option<String>,
+    /// Take off the mean of all samples (all), of those before the motion (before), or of a window FROM:TO such as 0s:2s
+    #[arg(long, value_name = "PART", allow_hyphen_values = true)]
+    pub(crate) remove_mean: Option<String>,
+    /// Step at which the record is read off its straight lines. The answer says so
+    #[arg(long, value_name = "DT", allow_hyphen_values = true)]
+    pub(crate) resample: Option<String>,
     /// The load after the record: zero, hold (it stays at its last sample) or free (a support lets go of the spring) [default: hold
     /// for a support, zero for a force or an acceleration]
     #[arg(long, value_enum, value_name = "LOAD", hide_possible_values = true)]
@@ -67,15 +76,16 @@ pub(crate) struct SurfaceArgs {
 
 #[derive(Debug, Args)]
 #[command(after_help = "\
-FILE is a record of PEER, K-NET, KiK-net, ESM, CWB, COSMOS or GeoNet, whose units are read from it, or columns of text
-separated by commas, semicolons, tabs or blanks, such as time[s],acceleration[g]. The load is the column acceleration
-(acc, of the surface that the body slides on), force, or foot-displacement (of the spring's support). A support with
-the damper on it, too, is damped-foot-displacement. Columns without names need --record-units, and --column if there
-are several. Samples without times need --time-step. The answer states the content of the file. Between samples the
-load is a straight line. After the last one a force or an acceleration is zero, a support stays (or --after says
-otherwise), and the body slides to its rest. No stop is missed.
+FILE is a record of an agency (PEER, COSMOS, CSMIP, SMC, K-NET, ESM, GeoNet, SAC, ...) whose layout is known by its
+content and whose units are read from it, or columns of text separated by commas, semicolons, tabs or blanks, such as
+time[s],acceleration[g]. The load is the column acceleration (acc, of the surface that the body slides on), force, or
+foot-displacement (of the spring's support). A support with the damper on it, too, is damped-foot-displacement. Columns
+without names need --record-units, and --column if there are several. Samples without times need --time-step. The answer
+states the content of the file. Between samples the load is a straight line. After the last one a force or an
+acceleration is zero, a support stays (or --after says otherwise), and the body slides to its rest. No stop is missed.
 
 Examples:
+  stickslip record quake.at2 --describe --picture quake.svg
   stickslip record quake.at2 --mass 800kg --period 2.5s --friction-coefficient 0.06 --damping-ratio 5%
   stickslip record quake.csv --mass 800kg --period 2.5s --friction-coefficient 0.06 --scale 1.5 --units kN,mm \\
     --out motion.csv --picture motion.svg
@@ -94,6 +104,10 @@ pub(crate) struct RecordArgs {
     pub(crate) surface: SurfaceArgs,
     #[command(flatten)]
     pub(crate) load: LoadArgs,
+    /// What the file holds, without a machine: channels, units, steps, peaks, gaps, and the frequency of the greatest Fourier
+    /// amplitude
+    #[arg(long)]
+    pub(crate) describe: bool,
     /// Displacement at the start, from the relaxed spring
     #[arg(long, value_name = "X", allow_hyphen_values = true)]
     pub(crate) x0: Option<String>,

@@ -46,8 +46,9 @@ motion-plot | RATIOS | DRIVEN | x0 v0 m:units out overwrite title size
 identify | | MASS SPRING gravity force base-acceleration base-velocity base-displacement foot-displacement | file amplitude phase format units
 identify | | MASS SPRING gravity | file motion format units
 identify | decay half_cycles | decay half_cycles MASS SPRING gravity | file format units
-record | | BODY yield-acceleration STATIC mean-force | file slope one_way time_step column skip record_units scale from to after x0 v0 both_polarities floor_spectrum floor_damping out interval picture title size overwrite enclose format bits units
-spectrum | | BODY yield-acceleration STATIC mean-force | files slope one_way time_step column skip record_units scale from to after units format out resume shard header no_header picture title size overwrite
+record | | BODY yield-acceleration STATIC mean-force | file slope one_way time_step time_column column skip record_units scale from to remove_mean resample after x0 v0 both_polarities floor_spectrum floor_damping out interval picture title size overwrite enclose format bits units
+record | describe | | file time_step time_column column skip record_units scale from to remove_mean resample picture title size overwrite format units
+spectrum | | BODY yield-acceleration STATIC mean-force | files slope one_way time_step time_column column skip record_units scale from to remove_mean resample after units format out resume shard header no_header picture title size overwrite
 decay | FRICTIONS | BODY STATIC mean-force | m:slope m:one_way x0 v0 out title size overwrite format bits m:units
 pull | | BODY STATIC | speed format bits units
 design force | omega FRICTIONS | BODY STATIC mean-force frequency | no_stop format bits m:units
@@ -148,9 +149,10 @@ pub(super) fn check(matches: &ArgMatches) -> Outcome {
     };
     let is_machine = given.iter().filter_map(|option| Input::named(option)).any(Input::is_physical);
     let fits = |mode: Mode| given.contains(&"points") == (mode == Points) && (mode != Machine || is_machine);
-    // The file of a free decay, or of a motion, asks another question than a response curve.
-    let is_asked =
-        |used: &[&str]| ["decay", "motion"].iter().all(|kind| used.contains(kind) == given.contains(kind));
+    // The file of a free decay, or of a motion, asks another question than a response curve, and a description than an answer.
+    let is_asked = |used: &[&str]| {
+        ["decay", "motion", "describe"].iter().all(|kind| used.contains(kind) == given.contains(kind))
+    };
     let asked = modes(&command).filter(|(mode, used)| fits(*mode) && is_asked(used));
     let Some((mode, used)) = asked.min_by_key(|(_, used)| unused(used).len()) else { return Ok(()) };
     if let Some(id) = unused(&used).first() {
@@ -158,7 +160,7 @@ pub(super) fn check(matches: &ArgMatches) -> Outcome {
         return Err(format!(
             "{}: {command} does not use it {}. It uses {}",
             written(id, matches),
-            mode.name(),
+            if given.contains(&"describe") { "with --describe" } else { mode.name() },
             shown.collect::<Vec<_>>().join(", ")
         )
         .into());

@@ -623,3 +623,31 @@ fn a_body_that_only_tends_to_rest_is_said_to() {
     );
     assert_eq!(events.lines().count(), 2, "{events}");
 }
+
+/// A file is described without a machine: each channel in a line, in JSON, and as a picture.
+#[test]
+fn a_record_is_described() {
+    let file = "../tests/data/layouts/unam.txt";
+    let text = stdout(&format!("record {file} --describe"));
+    let lines: Vec<&str> = text.lines().collect();
+    assert_eq!(lines.len(), 3);
+    assert!(lines[1].starts_with("Record (UNAM “N00E”): 45 samples of acceleration 0.02 s apart"), "{text}");
+    assert!(
+        lines[1].ends_with("Its Fourier amplitude is greatest at 5.664062 Hz. It has no gaps."),
+        "{text}"
+    );
+    let found = json(&format!("record {file} --describe --format json"));
+    let channel = &found["channels"][2];
+    assert_eq!((channel["channel"].as_str(), channel["samples"].as_u64()), (Some("N90E"), Some(45)));
+    assert_eq!(channel["peak_frequency"].as_f64(), Some(29.0 * 50.0 / 256.0));
+    let folder = folder();
+    let picture = folder.join("record.svg");
+    stdout(&format!("record {file} --describe --picture {}", picture.display()));
+    let svg = fs::read_to_string(&picture).unwrap();
+    assert!(["V", "N00E", "N90E"].iter().all(|name| svg.contains(name)), "{svg}");
+    refused(
+        &format!("record {file} --describe --mass 3kg"),
+        &["--mass 3kg: record does not use it with --describe"],
+    );
+    refused(&format!("record {file} --describe --scale 2"), &["--scale 2: must be left out with --describe"]);
+}

@@ -11,8 +11,8 @@ const LONGEST: u64 = 1 << 24;
 pub(super) type Line = (u64, String);
 
 /// The lines of a source.
-pub(super) struct Lines<'a, R> {
-    source: R,
+pub(super) struct Lines<'a> {
+    pub(super) source: &'a mut dyn BufRead,
     name: &'a str,
     /// The number of lines that have been read.
     count: u64,
@@ -20,8 +20,8 @@ pub(super) struct Lines<'a, R> {
     ahead: VecDeque<Line>,
 }
 
-impl<'a, R: BufRead> Lines<'a, R> {
-    pub(super) const fn new(source: R, name: &'a str) -> Self {
+impl<'a> Lines<'a> {
+    pub(super) const fn new(source: &'a mut dyn BufRead, name: &'a str) -> Self {
         Self { source, name, count: 0, ahead: VecDeque::new() }
     }
 

@@ -1,11 +1,8 @@
 //! Records of the PEER database, in every form of its header since 1999.
 
-use super::lines::{Line, Lines};
-use super::samples::{Samples, Times};
-use super::{Options, Reading, text};
-use std::io::BufRead;
-use std::str::FromStr;
-use stickslip::Float;
+use super::lines::Line;
+use super::sheet::{Found, Ratio, Sheet, Times};
+use super::text;
 use stickslip::inputs::units::{Kind, split};
 
 /// The lines among which the one with the number of samples is.
@@ -80,25 +77,23 @@ fn after_dt(line: &str) -> Option<&str> {
     Some(rest.trim_start_matches(|c: char| c.is_whitespace() || matches!(c, '=' | ':')))
 }
 
-pub(super) fn read<F: Float + FromStr>(
-    lines: &mut Lines<'_, impl BufRead>,
-    options: &Options<'_, F>,
-    header: &Header,
-) -> Result<Reading<F>, String> {
-    options.without_step()?;
+pub(super) fn read(sheet: &mut Sheet<'_>) -> Result<Found, String> {
+    let asked = sheet.asked;
+    asked.without_step()?;
+    let head = sheet.lines.head(LINES)?;
+    let header = header(&head).unwrap_or(Header { unit: None, count: None, due: 1 });
     let due = "must state the number of samples and the step: NPTS= 4000, DT= .005 SEC";
-    let (at, line) = header.count.as_ref().ok_or_else(|| options.at(header.due, due))?;
-    let (count, step, unit) = count_and_step(line).ok_or_else(|| options.at(*at, due))?;
-    let typed = step;
-    let step: F = text::number(step)
-        .filter(|step| *step > F::int(0))
-        .ok_or_else(|| options.at(*at, &format!("DT = {typed}: must be a number > 0, of seconds: {due}")))?;
-    let step = match unit.to_ascii_lowercase().as_str() {
-        "" | "s" | "sec" | "secs" | "second" | "seconds" => step,
+    let (at, line) = header.count.as_ref().ok_or_else(|| asked.at(header.due, due))?;
+    let (count, step, unit) = count_and_step(line).ok_or_else(|| asked.at(*at, due))?;
+    text::number::<f64>(step)
+        .filter(|step| *step > 0.0)
+        .ok_or_else(|| asked.at(*at, &format!("DT = {step}: must be a number > 0, of seconds: {due}")))?;
+    let factor = match unit.to_ascii_lowercase().as_str() {
+        "" | "s" | "sec" | "secs" | "second" | "seconds" => None,
         other => {
             let unit = if other == "msec" { "ms" } else { other };
-            let named = format!("{} line {at}: DT", options.name);
-            options.reader.factor_of_column(&named, unit, Kind::Time)?.times(step)
+            let named = format!("{} line {at}: DT", asked.name);
+            Some(asked.reader.factor_of_column(&named, unit, Kind::Time)?)
         }
     };
     let stated = header.unit.as_ref().and_then(|(line, text)| {
@@ -111,21 +106,22 @@ pub(super) fn read<F: Float + FromStr>(
         // The first of the names is what the file holds.
         let quantity = QUANTITIES.iter().filter_map(|name| Some((upper.find(name)?, *name))).min();
         if let Some((_, name)) = quantity.filter(|(_, name)| *name != "ACCELERATION") {
-            return Err(options.at(*line, &format!("{name}: must be an acceleration")));
+            return Err(asked.at(*line, &format!("{name}: must be an acceleration")));
         }
     }
-    let unit = options.unit(stated)?;
-    while let Some((number, _)) = lines.next()? {
+    let unit = asked.unit(stated, Some(Kind::Acceleration))?;
+    while let Some((number, _)) = sheet.lines.next()? {
         if number == *at {
             break;
         }
     }
     let stated = format!("NPTS = {count}");
     let excitation = unit.excitation();
-    let mut samples = Samples::new(unit);
-    samples.fill(lines, (count, &stated), None, None, options)?;
-    samples.ended(lines, &stated, options)?;
-    samples.finish("PEER", None, excitation, Times::Step(step), F::int(0), options)
+    sheet.sink.begin(unit);
+    sheet.fill((count, &stated), None)?;
+    sheet.ended(&stated)?;
+    let times = Times::Step(Ratio::new(step, "1"), factor, "0".to_owned());
+    Ok(Found::new("PEER", excitation, times))
 }
 
 #[cfg(test)]

@@ -1,44 +1,23 @@
-//! Columns of numbers: separated by commas, semicolons, tabs or blanks, with or without names and units.
+//! Columns of numbers: separated by commas, semicolons, tabs or blanks, with or without names and units, below any lines of
+//! text. LabVIEW and the programs of loggers write them, too.
 
-use super::lines::{Line, Lines};
-use super::samples::{Samples, Times};
-use super::{Options, Reading, Unit, text};
-use crate::names::{is_misspelt, name_and_unit};
-use std::io::BufRead;
-use std::str::FromStr;
-use stickslip::inputs::units::{Kind, Reader, split};
-use stickslip::{Excitation, Float};
+pub(super) mod cells;
+pub(super) mod clock;
+mod columns;
+mod header;
 
-/// The loads: the name of the column, its synonyms, the kind of its values, and the excitation.
-const LOADS: [(&str, &[&str], Kind, Excitation); 4] = [
-    (
-        "acceleration",
-        &[
-            "acc",
-            "accel",
-            "accn",
-            "a",
-            "ag",
-            "ground-acceleration",
-            "base-acceleration",
-            "surface-acceleration",
-        ],
-        Kind::Acceleration,
-        Excitation::SurfaceAcceleration,
-    ),
-    ("force", &["f", "load"], Kind::Force, Excitation::Force),
-    ("foot-displacement", &[], Kind::Length, Excitation::FootMotion),
-    ("damped-foot-displacement", &[], Kind::Length, Excitation::DampedFootMotion),
-];
-
-/// The names of the time.
-const TIMES: [&str; 4] = ["time", "t", "times", "seconds"];
+use super::lines::Line;
+use super::sheet::{Found, Ratio, Sheet, Times};
+use super::{Unit, text};
+use cells::{Delimiter, Row, comment, decimal, is_number, width};
+use columns::{Columns, named, unnamed};
+use header::{Name, header};
+use stickslip::inputs::units::{Kind, Reader};
 
 /// The most lines without numbers before the columns.
 const MOST_TITLES: usize = 200;
 
 /// What another layout knows of its columns.
-#[derive(Debug)]
 pub(super) struct Known {
     pub(super) kind: &'static str,
     pub(super) names: Vec<String>,
@@ -51,479 +30,163 @@ impl Default for Known {
     }
 }
 
-/// The sign between the cells of a row.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Delimiter {
-    Sign(char),
-    Blanks,
+/// The lines before the rows.
+#[derive(Default)]
+struct Above {
+    titles: Vec<Line>,
+    /// The last comment.
+    remark: Option<String>,
+    /// A step that a line states, and its line.
+    step: Option<(u64, Times)>,
 }
 
-impl Delimiter {
-    fn of(row: &str) -> Self {
-        let sign = [';', '\t', ','].into_iter().find(|sign| row.contains(*sign));
-        sign.map_or(Self::Blanks, Self::Sign)
-    }
-
-    /// Splits a row into its cells.
-    fn cells<'a>(self, row: &'a str, cells: &mut Vec<&'a str>) {
-        cells.clear();
-        match self {
-            Self::Blanks => cells.extend(row.split_whitespace()),
-            Self::Sign(sign) if row.contains('"') => {
-                let mut quoted = false;
-                cells.extend(row.split(|c: char| {
-                    quoted ^= c == '"';
-                    c == sign && !quoted
-                }));
-            }
-            Self::Sign(sign) => cells.extend(row.split(sign)),
-        }
-        for cell in cells.iter_mut() {
-            *cell = cell.trim().trim_matches('"').trim();
-        }
-    }
-
-    /// Leaves out the empty cell behind a sign at the end of a row.
-    fn without_last(cells: &mut Vec<&str>) {
-        if cells.len() > 1 && cells.last() == Some(&"") {
-            cells.pop();
-        }
-    }
-
-    /// The names in a header, of as many columns as a row has.
-    fn names(header: &str, columns: usize) -> Vec<String> {
-        let own = |delimiter: Self| {
-            let mut cells = Vec::new();
-            delimiter.cells(header, &mut cells);
-            Self::without_last(&mut cells);
-            cells.into_iter().map(str::to_owned).collect::<Vec<_>>()
-        };
-        let delimiter = Self::of(header);
-        if delimiter != Self::Blanks {
-            return own(delimiter);
-        }
-        // “Time (s)   Acc (m/s^2)”: a unit belongs to the name before it.
-        let mut names: Vec<String> = Vec::new();
-        for word in header.split_whitespace() {
-            match names.last_mut() {
-                Some(name) if word.starts_with(['(', '[']) => {
-                    name.push(' ');
-                    name.push_str(word);
+impl Above {
+    /// Takes a line that is none of the rows.
+    fn take(&mut self, (number, line): Line, reader: &Reader) {
+        if let Some((digits, unit, is_rate)) = header::step(&line) {
+            let factor = |kind: Kind, unit: &str| reader.factor_of_column("", unit, kind).ok();
+            let times = match (is_rate, unit.as_str()) {
+                (true, "" | "Hz" | "hz" | "1/s" | "S/s" | "sps" | "samples/s" | "samples/sec") => {
+                    Some(Times::step("1", &digits))
                 }
-                _ => names.push(word.to_owned()),
-            }
+                (true, "kHz" | "kS/s") => Some(Times::step("0.001", &digits)),
+                (false, "") => Some(Times::step(&digits, "1")),
+                (false, unit) => factor(Kind::Time, &text::unit(unit))
+                    .map(|factor| Times::Step(Ratio::new(&digits, "1"), Some(factor), "0".to_owned())),
+                _ => None,
+            };
+            self.step = times.map(|times| (number, times)).or(self.step.take());
         }
-        if names.len() != columns {
-            let wide: Vec<String> = header
-                .split("  ")
-                .map(str::trim)
-                .filter(|name| !name.is_empty())
-                .map(str::to_owned)
-                .collect();
-            if wide.len() == columns {
-                return wide;
-            }
+        match comment(&line) {
+            Some(text) => self.remark = Some(text.trim().to_owned()),
+            None => self.titles.push((number, line)),
         }
-        names
+    }
+
+    /// Whether a row that begins with a word is one of the table, whose names then stand above it.
+    fn has_names(&self, width: usize) -> bool {
+        let names = |(_, line): &Line| Delimiter::names(line, width);
+        let has_load = |names: Vec<String>| names.iter().any(|name| Name::new(name).is_load());
+        self.titles.iter().map(names).any(|names| names.len() == width && has_load(names))
     }
 }
 
-/// The text of a comment, where a line is one.
-fn comment(line: &str) -> Option<&str> {
-    let line = line.trim_start();
-    ["#", "%", "!", "//", "*", "|"].into_iter().find_map(|mark| line.strip_prefix(mark))
+/// Whether a line with numbers stands above the table: a line without any follows, and then rows of another width.
+fn is_above(line: &str, next: &[Line]) -> bool {
+    let mut next = next.iter().filter(|(_, line)| !line.trim().is_empty() && comment(line).is_none());
+    next.next().is_some_and(|(_, line)| cells::row(line) != Row::Numbers)
+        && next
+            .find(|(_, line)| cells::row(line) == Row::Numbers)
+            .is_some_and(|(_, row)| width(row) != width(line))
 }
 
-/// A number in a cell, with a decimal comma where another sign separates the cells.
-fn number<F: Float + FromStr>(cell: &str, delimiter: Delimiter) -> Option<F> {
-    text::number(cell).or_else(|| {
-        let has_comma =
-            delimiter != Delimiter::Sign(',') && !cell.contains('.') && cell.matches(',').count() == 1;
-        has_comma.then(|| text::number(&cell.replace(',', "."))).flatten()
-    })
-}
-
-/// Whether a row is one of numbers: a cell is a number, with or without a unit.
-fn is_row(line: &str) -> bool {
-    let delimiter = Delimiter::of(line);
-    let mut cells = Vec::new();
-    delimiter.cells(line, &mut cells);
-    cells.iter().any(|cell| {
-        let (digits, unit) = split(cell);
-        number::<f64>(cell, delimiter).is_some()
-            || (text::number::<f64>(digits).is_some() && Reader::is_unit(unit))
-            || cell.eq_ignore_ascii_case("nan")
-    })
-}
-
-/// What a column is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Role {
-    Time,
-    Load(usize),
-    Other,
-}
-
-/// A name in a header.
-#[derive(Debug, Clone)]
-struct Name {
-    /// As it is written, without its unit.
-    own: String,
-    unit: Option<String>,
-    role: Role,
-}
-
-fn role(name: &str) -> Role {
-    let name = name.to_lowercase().replace(['_', ' '], "-");
-    if TIMES.contains(&name.as_str()) {
-        return Role::Time;
-    }
-    let is_of = |(own, others, ..): &(&str, &[&str], Kind, Excitation)| {
-        *own == name || others.contains(&name.as_str())
-    };
-    if let Some(load) = LOADS.iter().position(is_of) {
-        return Role::Load(load);
-    }
-    // One of several: acc-x, acc1, acceleration-ns.
-    let direction = ["acceleration", "accel", "acc"].into_iter().find_map(|stem| name.strip_prefix(stem));
-    match direction {
-        Some(rest) if rest.starts_with(|c: char| !c.is_alphabetic()) => Role::Load(0),
-        _ => Role::Other,
-    }
-}
-
-/// Whether a word behind the name of a column is its unit: “acc N” is a direction.
-fn fits(role: Role, unit: &str) -> bool {
-    Reader::is_unit(unit)
-        && match role {
-            Role::Other => false,
-            Role::Load(0) => unit.contains('/') || matches!(unit, "g" | "mg" | "gal" | "Gal"),
-            Role::Time | Role::Load(_) => true,
-        }
-}
-
-impl Name {
-    fn new(header: &str) -> Self {
-        let (own, unit) = name_and_unit(header);
-        let mut name = Self { own: own.to_owned(), unit: unit.map(str::to_owned), role: role(own) };
-        // “Time s”, “acc_g”.
-        if name.unit.is_none()
-            && let Some((stem, last)) = own.rsplit_once([' ', '_', ','])
-            && let stem = stem.trim_end_matches([' ', ','])
-            && fits(role(stem), &text::unit(last))
-        {
-            name = Self { own: stem.to_owned(), unit: Some(last.to_owned()), role: role(stem) };
-        }
-        name
-    }
-}
-
-/// The columns that are read.
-struct Columns {
-    time: Option<usize>,
-    load: usize,
-    /// The excitation and the unit of the load; without one, a value may have its own.
-    excitation: Excitation,
-    kind: Kind,
-    unit: Option<Unit>,
-    /// The unit of the time other than the second.
-    second: Option<Unit>,
-    channel: Option<String>,
-    unused: Vec<String>,
-    name: String,
-    /// Every number is a sample.
-    all: bool,
-}
-
-pub(super) fn read<F: Float + FromStr>(
-    lines: &mut Lines<'_, impl BufRead>,
-    options: &Options<'_, F>,
-    known: Known,
-) -> Result<Reading<F>, String> {
-    let mut titles: Vec<Line> = Vec::new();
-    let mut remark: Option<String> = None;
-    let first = loop {
-        let Some((number, line)) = lines.next()? else { break None };
-        if line.trim().is_empty() {
+/// Reads the lines before the rows, and the first row.
+fn above(sheet: &mut Sheet<'_>) -> Result<(Above, Option<Line>), String> {
+    let mut above = Above::default();
+    while let Some(line) = sheet.lines.next()? {
+        if line.1.trim().is_empty() {
             continue;
         }
-        if let Some(text) = comment(&line) {
-            remark = Some(text.trim().to_owned());
-            continue;
+        let is_row = comment(&line.1).is_none()
+            && match cells::row(&line.1) {
+                Row::Title => false,
+                Row::Labelled => above.has_names(width(&line.1)) && header::step(&line.1).is_none(),
+                Row::Numbers => !is_above(&line.1, &sheet.lines.head(20)?),
+            };
+        if is_row {
+            return Ok((above, Some(line)));
         }
-        if is_row(&line) {
-            break Some((number, line));
+        if above.titles.len() >= MOST_TITLES {
+            return Err(sheet.at(line.0, "no row of numbers in 200 lines"));
         }
-        if titles.len() >= MOST_TITLES {
-            return Err(options.at(number, "no row of numbers in 200 lines"));
-        }
-        titles.push((number, line));
-    };
+        above.take(line, sheet.asked.reader);
+    }
+    Ok((above, None))
+}
+
+pub(super) fn read(sheet: &mut Sheet<'_>, known: Known) -> Result<Found, String> {
+    let options = sheet.asked;
+    let file = options.name;
+    let (above, first) = above(sheet)?;
     let delimiter = first.as_ref().map_or(Delimiter::Sign(','), |(_, row)| Delimiter::of(row));
-    let mut cells = Vec::new();
-    if let Some((_, row)) = &first {
-        delimiter.cells(row, &mut cells);
-        Delimiter::without_last(&mut cells);
-    }
-    let width = cells.len();
+    let width = first.as_ref().map_or(0, |(_, row)| width(row));
     let names = if known.names.is_empty() {
-        header(&titles, remark.as_deref(), width)
+        header(&above.titles, above.remark.as_deref(), width)
     } else {
         known.names.iter().map(|name| Name::new(name)).collect()
     };
     if names.is_empty() && first.is_none() {
-        return Err(format!("{}: has no samples", options.name));
+        return Err(format!("{file}: has no samples"));
     }
-    let title = titles.last().map(|(_, text)| text.clone()).unwrap_or_default();
+    if first.is_none() && !names.iter().any(Name::is_known) {
+        return Err(format!("{file}: has no row of numbers"));
+    }
+    let may_be_load =
+        |name: &&Name| name.is_load() || (known.unit.is_some() && name.role != header::Role::Time);
+    sheet.channels = names.iter().filter(may_be_load).map(|name| name.own.clone()).collect();
+    let title = above.titles.last().map(|(_, text)| text.clone()).unwrap_or_default();
     let columns = if names.is_empty() {
-        unnamed(width, options, &known)?
+        unnamed(width, options.time_step.is_some() || above.step.is_some(), options, &known)?
     } else {
         named(&names, &title, options, &known)?
     };
-    match (columns.time, options.time_step) {
-        (None, None) => {
+    let mut notes = Vec::new();
+    let times = match (columns.time, options.time_step, above.step) {
+        (None, None, None) => {
             return Err(format!(
-                "{}: has no column time. Give the time between samples by {}",
-                options.name, options.words.time_step
+                "{file}: has no column time. Give the time between samples by {}, or the column by {}",
+                options.words.time_step, options.words.time_column
             ));
         }
-        (Some(_), Some(_)) => {
+        (Some(_), Some(_), _) => {
             return Err(format!(
-                "{}: must be left out, because {} has a column time",
-                options.words.time_step, options.name
+                "{}: must be left out, because {file} has a column time",
+                options.words.time_step
             ));
         }
-        _ => {}
-    }
+        (Some(_), None, _) => Times::Each,
+        (None, Some(_), _) => Times::Asked,
+        (None, None, Some((line, times))) => {
+            notes.push(format!("The step is that of line {line}."));
+            times
+        }
+    };
     let due = if names.is_empty() { width } else { names.len() };
-    rows(lines, first, delimiter, due, columns, options, known.kind)
-}
-
-/// The names of the columns and their units: the last line without numbers that has a name of a time or of a load, or else
-/// the last one; the line below may have the units.
-fn header(titles: &[Line], remark: Option<&str>, width: usize) -> Vec<Name> {
-    let of = |text: &str| -> Vec<Name> {
-        Delimiter::names(text, width).iter().map(|name| Name::new(name)).collect()
-    };
-    let is_known = |names: &Vec<Name>| names.iter().any(|name| name.role != Role::Other);
-    let mut rows = titles.iter().rev().map(|(_, text)| of(text));
-    let Some(last) = rows.next() else {
-        // The header of a table may be a comment, which then names a time or a unit: “# a comment” does not.
-        let is_header = |names: &Vec<Name>| {
-            names.len() == width
-                && is_known(names)
-                && names.iter().any(|name| name.role == Role::Time || name.unit.is_some())
-        };
-        let names = remark.map(of).filter(is_header);
-        return names.unwrap_or_default();
-    };
-    if is_known(&last) {
-        return last;
+    let repeated = rows(sheet, first, delimiter, due, &columns)?;
+    if repeated > 0 {
+        notes.push(format!("{repeated} rows that repeat the one above them were left out."));
     }
-    let Some(mut before) = rows.find(is_known) else { return last };
-    let units = titles.last().map(|(_, text)| Delimiter::names(text, width)).unwrap_or_default();
-    let bare = |unit: &str| text::unit(unit);
-    if units.len() == before.len() && units.iter().all(|unit| unit.is_empty() || Reader::is_unit(&bare(unit)))
-    {
-        for (name, unit) in before.iter_mut().zip(units) {
-            if name.unit.is_none() && !unit.is_empty() {
-                name.unit = Some(bare(&unit));
-            }
-        }
-    }
-    before
+    let Columns { channel, excitation, unused, .. } = columns;
+    Ok(Found { channel, unused, notes, ..Found::new(known.kind, excitation, times) })
 }
 
-/// The columns of a table with names.
-fn named<F: Float + FromStr>(
-    names: &[Name],
-    title: &str,
-    options: &Options<'_, F>,
-    known: &Known,
-) -> Result<Columns, String> {
-    let file = options.name;
-    let time = names.iter().position(|name| name.role == Role::Time);
-    let is_load =
-        |name: &Name| matches!(name.role, Role::Load(_)) || (known.unit.is_some() && name.role != Role::Time);
-    let loads: Vec<usize> =
-        (0..).zip(names).filter(|(_, name)| is_load(name)).map(|(place, _)| place).collect();
-    let listed = |places: &[usize]| {
-        let names: Vec<_> = places.iter().filter_map(|place| Some(names.get(*place)?.own.as_str())).collect();
-        names.join(", ")
-    };
-    let load = match (options.column, loads.as_slice()) {
-        (Some(column), _) => chosen(names, column).ok_or_else(|| {
-            let all: Vec<usize> = (0..names.len()).collect();
-            format!("{} {column}: must be a column of {file}: {}", options.words.column, listed(&all))
-        })?,
-        (None, [one]) => *one,
-        (None, []) => {
-            let spelt = LOADS.iter().map(|(name, ..)| *name).chain(["time"]);
-            for name in names.iter().filter(|name| name.role == Role::Other) {
-                if let Some(known) = spelt.clone().find(|known| is_misspelt(&name.own, known)) {
-                    return Err(format!(
-                        "{file}: column {} is unknown. Spell it {known}, or rename it",
-                        name.own
-                    ));
-                }
-            }
-            let spelt: Vec<_> = LOADS.iter().map(|(name, ..)| *name).collect();
-            return Err(format!(
-                "{file}: a column of the load is missing in the header “{title}”. Name one of {}, such as \
-                 acceleration[g], or choose one by {}",
-                spelt.join(", "),
-                options.words.column
-            ));
-        }
-        (None, many) => {
-            return Err(format!(
-                "{file}: has the columns {}. Choose one by {}",
-                listed(many),
-                options.words.column
-            ));
-        }
-    };
-    let name = names.get(load).ok_or_else(|| format!("{file}: no load"))?;
-    let at = format!("{file}: column {}", name.own);
-    let of_role = match name.role {
-        Role::Load(index) => LOADS.get(index).map(|(own, _, kind, excitation)| (*own, *kind, *excitation)),
-        Role::Time => return Err(format!("{at}: must be a load, not the time")),
-        Role::Other => None,
-    };
-    let kind = of_role.map(|(_, kind, _)| kind);
-    let unit = match (&known.unit, &name.unit, options.units) {
-        (Some(unit), ..) => Some(unit.clone()),
-        (None, Some(_), Some(typed)) => {
-            return Err(format!(
-                "{} {typed}: must be left out, because {at} has a unit",
-                options.words.units
-            ));
-        }
-        (None, Some(unit), None) => Some(Unit::new(&at, unit, options.reader, kind)?),
-        (None, None, Some(typed)) => Some(Unit::new(options.words.units, typed, options.reader, kind)?),
-        (None, None, None) if of_role.is_none() => {
-            return Err(format!("{at}: has no unit. Give it by {}, such as g", options.words.units));
-        }
-        (None, None, None) => None,
-    };
-    let excitation = of_role.map(|(.., excitation)| excitation);
-    let excitation = excitation.or_else(|| unit.as_ref().map(Unit::excitation));
-    let second = match time.and_then(|time| names.get(time)?.unit.as_ref()) {
-        Some(unit) => {
-            Some(Unit::new(&format!("{file}: column time"), unit, options.reader, Some(Kind::Time))?)
-        }
-        None => None,
-    };
-    let is_used = |place: &usize| *place == load || Some(*place) == time;
-    let unused = (0..names.len())
-        .filter(|place| !is_used(place))
-        .filter_map(|place| Some(names.get(place)?.own.clone()));
-    Ok(Columns {
-        time,
-        load,
-        excitation: excitation.unwrap_or(Excitation::SurfaceAcceleration),
-        kind: unit.as_ref().map(|unit| unit.kind).or(kind).unwrap_or(Kind::Acceleration),
-        unit,
-        second,
-        channel: Some(name.own.clone()),
-        unused: if options.column.is_some() { Vec::new() } else { unused.collect() },
-        name: of_role.map_or_else(|| name.own.clone(), |(own, ..)| own.to_owned()),
-        all: false,
-    })
-}
-
-/// The column of a name or of a number from 1.
-fn chosen(names: &[Name], column: &str) -> Option<usize> {
-    let column = column.trim();
-    let own = Name::new(column).own;
-    let same = |name: &Name| name.own.eq_ignore_ascii_case(&own);
-    names.iter().position(same).or_else(|| {
-        let place = column.parse::<usize>().ok()?.checked_sub(1)?;
-        names.get(place).map(|_| place)
-    })
-}
-
-/// The columns of a table without names.
-fn unnamed<F: Float + FromStr>(
-    width: usize,
-    options: &Options<'_, F>,
-    known: &Known,
-) -> Result<Columns, String> {
-    let file = options.name;
-    let has_step = options.time_step.is_some();
-    let all = options.column.is_some_and(|column| column.trim().eq_ignore_ascii_case("all"));
-    let load = match options.column.map(str::trim) {
-        Some(_) if all => 0,
-        Some(column) => {
-            let place = column.parse::<usize>().ok().filter(|place| (1..=width).contains(place));
-            place.and_then(|place| place.checked_sub(1)).ok_or_else(|| {
-                format!(
-                    "{} {column}: must be a number from 1 to {width}, or all, because the columns of {file} have no names",
-                    options.words.column
-                )
-            })?
-        }
-        None if width == 1 => 0,
-        None if width == 2 && !has_step => 1,
-        None => {
-            return Err(format!(
-                "{file}: has {width} columns without names. Choose one by {}, such as {width}, or all, row by row",
-                options.words.column
-            ));
-        }
-    };
-    let time = (!has_step && !all && width > 1).then_some(0);
-    if time == Some(load) {
-        return Err(format!(
-            "{} 1: must be a load, because the first column is the time",
-            options.words.column
-        ));
-    }
-    let unit = match (&known.unit, options.units) {
-        (Some(unit), _) => unit.clone(),
-        (None, Some(typed)) => Unit::new(options.words.units, typed, options.reader, None)?,
-        (None, None) => {
-            return Err(format!("{file}: states no unit. Give it by {}, such as g", options.words.units));
-        }
-    };
-    let channel = options.column.map(|column| format!("column {}", column.trim()));
-    Ok(Columns {
-        time,
-        load,
-        excitation: unit.excitation(),
-        kind: unit.kind,
-        unit: Some(unit),
-        second: None,
-        channel: channel.filter(|_| !all),
-        unused: Vec::new(),
-        name: "the load".to_owned(),
-        all,
-    })
-}
-
-/// Reads the rows from the first one on.
-fn rows<F: Float + FromStr>(
-    lines: &mut Lines<'_, impl BufRead>,
+/// Reads the rows from the first one on. Returns the number of rows that repeat the one above them.
+fn rows(
+    sheet: &mut Sheet<'_>,
     first: Option<Line>,
     delimiter: Delimiter,
     width: usize,
-    columns: Columns,
-    options: &Options<'_, F>,
-    layout: &'static str,
-) -> Result<Reading<F>, String> {
+    columns: &Columns,
+) -> Result<usize, String> {
+    let options = sheet.asked;
     // Without a unit of the column, values are in the system of the reader, or each has its own.
-    let own_unit =
-        || Unit { name: options.reader.system().name(columns.kind), factor: None, kind: columns.kind };
-    let unit = columns.unit.clone().unwrap_or_else(own_unit);
-    let (mut samples, mut times) = (Samples::new(unit), Vec::<F>::new());
+    let own_unit = || Unit {
+        name: options.reader.system().name(columns.kind),
+        factor: None,
+        kind: columns.kind,
+        scale: Ratio::one(),
+    };
+    sheet.sink.begin(columns.unit.clone().unwrap_or_else(own_unit));
     if let Some(first) = first {
-        lines.put_back(first);
+        sheet.lines.put_back(first);
     }
-    while let Some((number_of_line, row)) = lines.next()? {
+    let (mut start, mut repeated) = (None, 0usize);
+    let mut before = (String::new(), String::new());
+    while let Some((number, row)) = sheet.lines.next()? {
         if row.trim().is_empty() || comment(&row).is_some() {
             continue;
         }
-        let at = |what: &str| options.at(number_of_line, what);
+        let at = |what: &str| options.at(number, what);
         let mut cells = Vec::with_capacity(width);
         delimiter.cells(&row, &mut cells);
         if cells.len() > width || columns.all {
@@ -531,13 +194,14 @@ fn rows<F: Float + FromStr>(
         }
         if columns.all {
             for cell in &cells {
-                let value =
-                    number(cell, delimiter).ok_or_else(|| at(&format!("{cell}: must be a number")))?;
-                samples.push(value).map_err(|what| at(&what))?;
+                if !sheet.sink.sample(&decimal(cell, delimiter)).map_err(|what| at(&what))? {
+                    return Err(at(&format!("{cell}: must be a number")));
+                }
             }
             continue;
         }
-        if cells.len() != width && !(cells.len() > width && delimiter == Delimiter::Blanks) {
+        let is_short = columns.has_remarks && cells.len().checked_add(1) == Some(width);
+        if cells.len() != width && !is_short && !(cells.len() > width && delimiter == Delimiter::Blanks) {
             let is_more = cells.len() > width && delimiter == Delimiter::Sign(',');
             let hint = if is_more { ". A decimal needs a point, because commas separate fields" } else { "" };
             return Err(at(&format!("{} fields, must be {width} as above{hint}", cells.len())));
@@ -546,60 +210,43 @@ fn rows<F: Float + FromStr>(
             let cell = cells.get(place).copied().unwrap_or_default();
             if cell.is_empty() { Err(at(&format!("{name}: is missing"))) } else { Ok(cell) }
         };
-        let text = cell(columns.load, &columns.name)?;
-        let pushed = match (&columns.unit, number::<F>(text, delimiter)) {
-            (Some(_), Some(value)) => samples.push(value),
-            (Some(_), None) => return Err(at(&format!("{}: {text}: must be a number", columns.name))),
-            (None, _) => {
-                let named = options.at(number_of_line, &columns.name);
-                samples.push(options.reader.value::<F>(&named, text, columns.kind)?)
+        let sample = cell(columns.load, &columns.name)?;
+        let time = columns.time.map(|place| cell(place, "time")).transpose()?;
+        // A logger may write a row twice; two values at one time are a step.
+        if let Some(time) = time {
+            if before.0 == time && before.1 == sample {
+                repeated = repeated.saturating_add(1);
+                continue;
             }
+            let (last_time, last_sample) = &mut before;
+            time.clone_into(last_time);
+            sample.clone_into(last_sample);
+        }
+        let named = |what: String| at(&format!("{}: {what}", columns.name));
+        if columns.unit.is_none() {
+            let name = options.at(number, &columns.name);
+            sheet
+                .sink
+                .valued(&name, &decimal(sample, delimiter), columns.kind)
+                .map_err(|what| if what.starts_with(&name) { what } else { named(what) })?;
+        } else if !sheet.sink.sample(&decimal(sample, delimiter)).map_err(named)? {
+            return Err(at(&format!("{}: {sample}: must be a number", columns.name)));
+        }
+        let Some(time) = time else { continue };
+        let second = columns.second.as_ref().and_then(|unit| unit.factor);
+        let is_time = match clock::instant(time).filter(|_| !is_number(time, delimiter)) {
+            Some(instant) => {
+                let start = *start.get_or_insert(instant);
+                sheet.sink.time("time", &clock::seconds(instant.saturating_sub(start)), None)
+            }
+            None => sheet.sink.time(&options.at(number, "time"), &decimal(time, delimiter), second),
         };
-        pushed.map_err(|what| at(&format!("{}: {what}", columns.name)))?;
-        if let Some(place) = columns.time {
-            let text = cell(place, "time")?;
-            let time = match (number::<F>(text, delimiter), &columns.second) {
-                (Some(time), Some(second)) => second.times(time),
-                (Some(time), None) => time,
-                (None, None) if Reader::has_unit(text) => {
-                    options.reader.value::<F>(&options.at(number_of_line, "time"), text, Kind::Time)?
-                }
-                (None, _) => return Err(at(&format!("time: {text}: must be a number"))),
-            };
-            let step = times.last().map(|before| time - *before).filter(|step| *step < F::int(0));
-            if let Some(step) = step {
-                return Err(at(&format!("time step = {step} s: must be ≥ 0 s")));
-            }
-            if times.iter().rev().take_while(|before| **before == time).count() > 1 {
-                return Err(at("time step = 0 s: must be > 0 s after two values at one time"));
-            }
-            times.push(time);
+        match is_time {
+            Ok(true) => {}
+            Ok(false) => return Err(at(&format!("time: {time}: must be a number"))),
+            Err(what) if what.starts_with(options.name) => return Err(what),
+            Err(what) => return Err(at(&what)),
         }
     }
-    let mut reading = {
-        let Columns { channel, excitation, .. } = &columns;
-        let (times, start) = match (options.time_step, even(&times)) {
-            (Some(step), _) => (Times::Step(step), F::int(0)),
-            (None, Some((start, step))) => (Times::Step(step), start),
-            (None, None) => (Times::Each(times), F::int(0)),
-        };
-        samples.finish(layout, channel.clone(), *excitation, times, start, options)?
-    };
-    reading.unused = columns.unused;
-    Ok(reading)
-}
-
-/// The first time and the step, if the times are equally spaced but for the rounding of the numbers that they are read
-/// into.
-fn even<F: Float + FromStr>(times: &[F]) -> Option<(F, F)> {
-    let (&first, &last) = (times.first()?, times.last()?);
-    let count = times.len().checked_sub(1).filter(|count| *count > 0)?;
-    let step = (last - first) / F::from_f64(count as f64);
-    // A time has a rounding of its own and perhaps one of its unit; a place has those of the step, its product and its sum.
-    let rounding = (first.abs() + last.abs()) * F::epsilon() * F::int(4);
-    let near = |(index, time): (usize, &F)| {
-        let place = first + step * F::from_f64(index as f64);
-        (*time - place).abs() <= rounding
-    };
-    (step > F::int(0) && times.iter().enumerate().all(near)).then_some((first, step))
+    Ok(repeated)
 }

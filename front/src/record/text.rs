@@ -31,35 +31,74 @@ pub(super) fn parts(word: &str) -> impl Iterator<Item = &str> {
     })
 }
 
-/// The numbers of a line, separated by blanks and commas or touching each other. If one of them does not parse and the
-/// layout has fields of a known width, they are those of the fields.
-pub(super) fn numbers<F: Float + FromStr>(
+/// What is found in a line.
+pub(super) enum Step<'a> {
+    /// A part that should be a number.
+    Number(&'a str),
+    /// The parts before this one are void: the line is read once more.
+    Again,
+}
+
+/// Acts on the numbers of a line, separated by blanks and commas or touching each other; `act` returns whether a part is a
+/// number. If one of them is none and the layout has fields of a known width, they are those of the fields. Returns the
+/// part that is no number.
+pub(super) fn each(
     text: &str,
     width: Option<usize>,
-    all: &mut Vec<F>,
-) -> Result<(), String> {
-    all.clear();
+    act: &mut dyn FnMut(Step<'_>) -> Result<bool, String>,
+) -> Result<Option<String>, String> {
     let words = text.split(|c: char| c.is_whitespace() || c == ',').filter(|word| !word.is_empty());
     let mut wrong = None;
     for part in words.flat_map(parts) {
-        match number(part) {
-            Some(value) => all.push(value),
-            None => {
-                wrong = Some(part.to_owned());
-                break;
-            }
+        if !act(Step::Number(part))? {
+            wrong = Some(part.to_owned());
+            break;
         }
     }
-    let Some(wrong) = wrong else { return Ok(()) };
-    let fields = || width.filter(|_| text.is_ascii()).map(|width| text.as_bytes().chunks(width.max(1)));
-    all.clear();
-    for field in fields().ok_or_else(|| wrong.clone())? {
+    let fields = width.filter(|_| text.is_ascii()).map(|width| text.as_bytes().chunks(width.max(1)));
+    let (Some(wrong), Some(fields)) = (&wrong, fields) else { return Ok(wrong) };
+    act(Step::Again)?;
+    for field in fields {
         let field = std::str::from_utf8(field).unwrap_or_default().trim();
-        if !field.is_empty() {
-            all.push(number(field).ok_or_else(|| wrong.clone())?);
+        if !field.is_empty() && !act(Step::Number(field))? {
+            return Ok(Some(wrong.clone()));
         }
     }
-    Ok(())
+    Ok(None)
+}
+
+/// The numbers of a line of a header.
+pub(super) fn numbers(text: &str, width: Option<usize>) -> Result<Vec<String>, String> {
+    let mut all = Vec::new();
+    let wrong = each(text, width, &mut |step| {
+        match step {
+            Step::Number(part) if number::<f64>(part).is_some() => all.push(part.to_owned()),
+            Step::Number(_) => return Ok(false),
+            Step::Again => all.clear(),
+        }
+        Ok(true)
+    })?;
+    wrong.map_or(Ok(all), Err)
+}
+
+/// The width of the fields of a Fortran format, such as 10 in `(8F10.4)`.
+pub(super) fn width(format: &str) -> Option<usize> {
+    let after = format.trim_start_matches(|c: char| !c.is_ascii_digit());
+    let after = after.trim_start_matches(|c: char| c.is_ascii_digit());
+    let digits = after.trim_start_matches(|c: char| c.is_ascii_alphabetic());
+    let end = digits.find(|c: char| !c.is_ascii_digit()).unwrap_or(digits.len());
+    digits.get(..end)?.parse().ok().filter(|width| (1..=64).contains(width))
+}
+
+/// The first word of a text.
+pub(super) fn word(text: &str) -> &str {
+    text.split_whitespace().next().unwrap_or_default()
+}
+
+/// A positive number of samples.
+pub(super) fn count(text: &str) -> Option<usize> {
+    let value = number::<f64>(text)?;
+    (1.0..1e9).contains(&value).then_some(value.round() as usize)
 }
 
 /// Whether a line begins with a number.
@@ -88,7 +127,13 @@ pub(super) fn unit(stated: &str) -> String {
     if Reader::is_unit(&stated) {
         return stated;
     }
+    // “m*s^-2” and “m·s⁻²” are m/s^2.
     let small = stated.to_lowercase().replace(' ', "");
+    let per_square = ["s^-2", "s⁻²", "s^(-2)", "s-2"].into_iter().find_map(|end| small.strip_suffix(end));
+    let small = match per_square {
+        Some(length) => format!("{}/s^2", length.trim_end_matches(['*', '·', '⋅', '.'])),
+        None => small,
+    };
     let known = match small.as_str() {
         "gals" => "gal",
         "g's" | "gs" | "gravity" => "g",
@@ -107,7 +152,16 @@ pub(super) fn shown(unit: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{numbers, parts, shown, unit};
+    use super::{number, numbers, parts, shown, unit, width};
+
+    #[test]
+    fn the_width_of_a_format() {
+        for (format, found) in
+            [("(8F10.4)", Some(10)), ("(1E15.6)", Some(15)), ("(10I8)", Some(8)), ("()", None)]
+        {
+            assert_eq!(width(format), found, "{format}");
+        }
+    }
 
     #[test]
     fn numbers_that_touch_are_told_apart() {
@@ -116,15 +170,14 @@ mod tests {
         assert_eq!(split("1.5+2.5-3"), ["1.5", "+2.5", "-3"]);
         assert_eq!(split("1e-5"), ["1e-5"]);
         assert_eq!(split(""), [""; 0]);
-        let mut all = Vec::<f64>::new();
-        numbers(" 1234.567 234.5678-234.5671234.567", Some(8), &mut all).unwrap_err();
-        numbers("1234.567 234.567-234.5671234.567", Some(8), &mut all).unwrap();
-        assert_eq!(all, [1234.567, 234.567, -234.567, 1234.567]);
-        assert_eq!(numbers("1.0 x", None, &mut all), Err("x".to_owned()));
-        numbers("1.5D-02,+.5,", None, &mut all).unwrap();
-        assert_eq!(all, [0.015, 0.5]);
+        numbers(" 1234.567 234.5678-234.5671234.567", Some(8)).unwrap_err();
+        let all = numbers("1234.567 234.567-234.5671234.567", Some(8)).unwrap();
+        assert_eq!(all, ["1234.567", "234.567", "-234.567", "1234.567"]);
+        assert_eq!(numbers("1.0 x", None), Err("x".to_owned()));
+        let all = numbers("1.5D-02,+.5,", None).unwrap();
+        assert_eq!(all.iter().map(|text| number::<f64>(text)).collect::<Vec<_>>(), [Some(0.015), Some(0.5)]);
         for wrong in ["NaN", "inf", "1e999", "*****", "0x10", "-", "1.2.3"] {
-            numbers::<f64>(wrong, None, &mut all).unwrap_err();
+            numbers(wrong, None).unwrap_err();
         }
     }
 
@@ -138,6 +191,10 @@ mod tests {
             ("m/s**2", "m/s^2", "m/s²"),
             ("(m/s/s)", "m/s/s", "m/s²"),
             ("mm/s²", "mm/s²", "mm/s²"),
+            ("m*s^-2", "m/s^2", "m/s²"),
+            ("[m·s⁻²]", "m/s^2", "m/s²"),
+            ("cm s-2", "cm/s^2", "cm/s²"),
+            ("in/sec^2", "in/sec^2", "in/s²"),
             ("IN/S^2", "in/s^2", "in/s²"),
             ("counts", "counts", "counts"),
         ] {

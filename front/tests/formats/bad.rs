@@ -58,14 +58,16 @@ fn bad_files_are_refused_by_line_and_value() {
         ("0 1\n1 2\n".to_owned(), "file: states no unit. Give it by --record-units, such as g".to_owned()),
         (
             "0 1 2\n1 2 3\n".to_owned(),
-            "file: has 3 columns without names. Choose one by --column, such as 3, or all, row by row".to_owned(),
+            "file: has 3 columns without names. Choose one by --column, such as 3, or all, row by row. It is read with \
+             --column 2 --record-units g, if this is its unit"
+                .to_owned(),
         ),
         ("".to_owned(), "file: has no samples".to_owned()),
         ("acc[g]\n0\u{0}\n".to_owned(), "file line 2: must be text, but has a zero byte".to_owned()),
         (
             "time[s],vel[m/s]\n0,1\n1,1\n".to_owned(),
             "file: a column of the load is missing in the header “time[s],vel[m/s]”. Name one of acceleration, force, \
-             foot-displacement, damped-foot-displacement, such as acceleration[g], or choose one by --column"
+             foot-displacement, damped-foot-displacement, such as acceleration[g]. Its line 2 has 2 numbers"
                 .to_owned(),
         ),
         (
@@ -77,4 +79,47 @@ fn bad_files_are_refused_by_line_and_value() {
     }
     let long = vec![b'1'; (1 << 24) + 2];
     assert_eq!(error(&long), "file line 1: must be shorter than 16 MiB");
+}
+
+/// What leads on is tried on the first lines of the file.
+#[test]
+fn errors_lead_to_the_options_that_read_the_file() {
+    let eight: String = (0..6).map(|i| format!("{i} 2 -1 0 5 2 1 3\n")).collect();
+    let decreasing: String = (0..6).map(|i| format!("{} 2 -1\n", -i)).collect();
+    for (text, said) in [
+        (
+            decreasing,
+            "It is read with --column 3 --time-step 0.01s --record-units g, if these are its step and unit",
+        ),
+        (
+            format!("Example of a program\nwith 8 numbers\n1 2\nwords\n{eight}"),
+            "It is read with --column 2 --record-units g, if this is its unit",
+        ),
+        (
+            format!("Example\n{}", eight.replace("3 2", "-3 2")),
+            "It is read with --column all --time-step 0.01s --record-units g, if these are its step and unit",
+        ),
+        ("1;2\n3;4\n5;6\n".to_owned(), "states no unit. Give it by --record-units, such as g"),
+        (
+            "Time,Out,Channel B\n0,1,2\n1,2,3\n2,3,4\n".to_owned(),
+            "It is read with --column 2 --record-units g",
+        ),
+        ("B\n1\n2\n3\n".to_owned(), "--column 1 --time-step 0.01s --record-units g, if these are"),
+        ("words only\nand npts\n".to_owned(), "line 2: must state the number of samples"),
+        (
+            "p,q\nwords,peer\nx,y\n".to_owned(),
+            "None of its first lines begins with a number, and “peer” is a word of PEER",
+        ),
+    ] {
+        let error = error(text.as_bytes());
+        assert!(error.contains(said), "{error}\n{text}");
+    }
+    assert_eq!(
+        error(b"PK\x03\x04\0\0"),
+        "file: is a zip archive or a workbook of Excel: unpack it, or save it as CSV"
+    );
+    let mini_seed = [b"000001D ".as_slice(), &[0; 56]].concat();
+    assert!(
+        error(&mini_seed).starts_with("file: is miniSEED or SEED, whose samples are counts without a unit")
+    );
 }

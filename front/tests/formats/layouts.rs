@@ -40,7 +40,7 @@ pub(crate) struct Written {
     pub(crate) kind: &'static str,
     pub(crate) column: Option<&'static str>,
     pub(crate) unit: Option<&'static str>,
-    pub(crate) time_step: Option<f64>,
+    pub(crate) time_step: Option<String>,
 }
 
 pub(crate) const G: f64 = 9.80665;
@@ -337,7 +337,7 @@ pub(crate) fn samples(drawn: &Drawn) -> Written {
         factor,
         step,
         unit: Some(unit),
-        time_step: Some(step),
+        time_step: Some(format!("{step} s")),
         column,
         ..empty(text)
     }

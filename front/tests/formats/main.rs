@@ -3,6 +3,8 @@
 mod bad;
 #[path = "../../../tests/drawn/mod.rs"]
 mod drawn;
+mod files;
+mod laboratories;
 mod layouts;
 mod parts;
 
@@ -15,12 +17,10 @@ use stickslip::motion::record::{Body, Entry};
 use stickslip_front::record::{Options, Reading, Words, read};
 
 /// The record of a text, in SI units.
-pub(crate) fn read_text(
-    text: &[u8],
-    set: impl FnOnce(&mut Options<'_, f64>),
-) -> Result<Reading<f64>, String> {
-    let reader = Reader::new(None, "--units N,m");
-    let mut options = Options::new("file", &reader, Words::COMMAND);
+pub(crate) fn read_text<'a>(text: &[u8], set: impl FnOnce(&mut Options<'a>)) -> Result<Reading<f64>, String> {
+    // The options of a test may live as long as its text.
+    let reader: &'static Reader = Box::leak(Box::new(Reader::new(None, "--units N,m")));
+    let mut options: Options<'a> = Options::new("file", reader, Words::COMMAND);
     set(&mut options);
     read(text, &options)
 }
@@ -29,7 +29,7 @@ fn check(written: &Written) -> Result<(), TestCaseError> {
     let found = read_text(written.text.as_bytes(), |options| {
         options.column = written.column;
         options.units = written.unit;
-        options.time_step = written.time_step;
+        options.time_step = written.time_step.as_deref();
     });
     let found = match found {
         Ok(found) => found,
@@ -181,13 +181,13 @@ fn of_several_channels_one_is_chosen() {
     };
     let text = one(4, "acceleration", 1.0) + &one(4, "velocity", 9.0) + &one(7, "acceleration", 3.0);
     let error = read_text(text.as_bytes(), |_| {}).unwrap_err();
-    assert_eq!(error, "file: has chan 4 and chan 7, and perhaps more. Choose one by --column, such as 1");
+    assert_eq!(error, "file: has the channels chan 4, chan 7. Choose one by --column, such as 1");
     for (column, first) in [("4", 0.01), ("chan 7", 0.03), ("2", 0.03)] {
         let found = read_text(text.as_bytes(), |options| options.column = Some(column)).unwrap();
         assert_eq!(found.record.samples()[0], first, "{column}");
     }
     let error = read_text(text.as_bytes(), |options| options.column = Some("9")).unwrap_err();
-    assert_eq!(error, "--column 9: must be a channel of file, one of 2");
+    assert_eq!(error, "--column 9: must be a channel of file: chan 4, chan 7");
     let found = read_text(one(1, "velocity", 1.0).as_bytes(), |_| {});
     assert_eq!(found.unwrap_err(), "file line 6: velocity: must be an acceleration");
 }
@@ -213,11 +213,11 @@ fn ten_million_samples() {
     let reader = Reader::new(None, "");
     let options = Options {
         units: Some("g"),
-        time_step: Some(0.01),
+        time_step: Some("0.01 s"),
         ..Options::new("endless", &reader, Words::COMMAND)
     };
     let many = BufReader::new(Endless(0).take(4 * 10_000_000));
-    assert_eq!(read(many, &options).unwrap().record.samples().len(), 10_000_000);
-    let error = read(BufReader::new(Endless(0)), &options).unwrap_err();
+    assert_eq!(read::<f64>(many, &options).unwrap().record.samples().len(), 10_000_000);
+    let error = read::<f64>(BufReader::new(Endless(0)), &options).unwrap_err();
     assert_eq!(error, "endless line 33554433: the load: must have at most 33554432 samples");
 }

@@ -1,8 +1,8 @@
 //! Parts of records, steps of their load, and what is said of them.
 
 use crate::read_text;
-use stickslip::inputs::units::Reader;
-use stickslip_front::record::{Cut, Options, Reading, Words, read};
+use stickslip::inputs::units::{Reader, System};
+use stickslip_front::record::{Options, Reading, Words, read};
 
 /// The samples 0, 1, 2 … at these times.
 fn table(times: &[String]) -> String {
@@ -16,10 +16,9 @@ fn decimal(steps: usize) -> String {
 }
 
 fn cut(text: &str, [from, to]: [&str; 2]) -> Result<Reading<f64>, String> {
-    let reader = Reader::new(None, "--units N,m");
+    let reader = Reader::new(Some(&System::default()), "--units N,m");
     let mut options = Options::new("file", &reader, Words::COMMAND);
-    let time = |text: &str| text.parse().ok();
-    options.cut = Some(Cut { from: time(from), to: time(to), typed: "--from, --to" });
+    (options.from, options.to) = (Some(from), Some(to));
     read(text.as_bytes(), &options)
 }
 
@@ -46,7 +45,7 @@ fn a_cut_keeps_the_samples_at_its_ends() {
         }
     }
     let error = cut(&table(&["0".to_owned(), "1".to_owned()]), ["0.6", "0.5"]).unwrap_err();
-    assert!(error.starts_with("--from, --to: "), "{error}");
+    assert!(error.starts_with("--from 0.6 --to 0.5: "), "{error}");
 }
 
 /// Times are those of the file: only rounding makes equal steps of them.
