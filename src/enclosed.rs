@@ -9,9 +9,8 @@
 //!
 //! **Decisions.** A ball may be too wide to tell on which side of the border a force ratio lies. All
 //! quantities are then recomputed with twice the bits, up to [`MAX_BITS`]; a question that remains undecided
-//! there gives `None`, never a guess. With exact ratios, each output is as sharp as the requested bits. With
-//! intervals, the widths are those that the intervals cause, plus the overestimate of evaluating each formula
-//! once.
+//! there gives `None`, never a guess. With exact ratios, each output is as sharp as the requested bits.
+//! Intervals are cut into parts, until the hull of each output is at most 5/4 of its range or there are too many parts (`split`).
 //!
 //! **What the guarantee rests on.** The balls contain the values of the formulae by virtue of MPFR and the
 //! bounds of `float::ball`. That the formulae are those of the oscillator is shown in `docs/development/proof.md`.
@@ -28,6 +27,7 @@
 //! | `ratios` | the ratios of one question |
 //! | `record` | the motion under a record ([`follow`]) |
 //! | `root` | the only zero of a function in a ball, if it is proved |
+//! | `split` | intervals cut into parts |
 //! | `widen` | more bits until the answers are sharp |
 //!
 //! ```
@@ -50,6 +50,7 @@ mod motion;
 mod ratios;
 mod record;
 mod root;
+pub(crate) mod split;
 mod widen;
 
 // The arithmetic in which the command checks the equations.
@@ -136,7 +137,9 @@ pub(crate) fn response_for(
     excitation: Option<Excitation>,
     bits: u32,
 ) -> Result<Response, Error> {
-    AskedRatios { only: Some(only), excitation, ..AskedRatios::new(ratios)? }.answered(bits)
+    let wanted = |output| output == only;
+    let asked = AskedRatios { wanted: &wanted, excitation, ..AskedRatios::new(ratios)? };
+    sharpest(&asked, valid(bits)?).map(|found| asked.response(found))
 }
 
 fn valid(bits: u32) -> Result<u32, Error> {
@@ -151,8 +154,8 @@ struct AskedRatios<'a> {
     zeta: &'a Known,
     eta: &'a Known,
     excitation: Option<Excitation>,
-    /// The requested output; all outputs if there is none.
-    only: Option<Output>,
+    /// Whether an output is requested, if it takes a search.
+    wanted: &'a dyn Fn(Output) -> bool,
 }
 
 impl<'a> AskedRatios<'a> {
@@ -168,16 +171,40 @@ impl<'a> AskedRatios<'a> {
         for end in [eta.low(), eta.high()] {
             valid_static_friction_ratio(Mp::<2>::from_rational(end))?;
         }
-        Ok(Self { omega, alpha, zeta, eta, excitation: None, only: None })
+        Ok(Self { omega, alpha, zeta, eta, excitation: None, wanted: &|_| true })
     }
 
+    /// All answers; over intervals by parts of them.
     fn answered(&self, bits: u32) -> Result<Response, Error> {
-        sharpest(self, valid(bits)?).map(|found| Response {
+        let bits = valid(bits)?;
+        let side = |known: &Known| (known.low().clone(), known.high().clone());
+        let whole = [self.omega, self.zeta, self.eta].into_iter().chain(self.alpha).map(side).collect();
+        let over = |part: &[split::Ends], done: &[Output]| {
+            let mut sides = part.iter().map(|(low, high)| Known::of_ends(low.clone(), high.clone()));
+            let mut next = |whole: &Known| sides.next().unwrap_or_else(|| whole.clone());
+            let (omega, zeta, eta) = (next(self.omega), next(self.zeta), next(self.eta));
+            let alpha = self.alpha.map(next);
+            let wanted = |output| !done.contains(&output);
+            let part = AskedRatios {
+                omega: &omega,
+                alpha: alpha.as_ref(),
+                zeta: &zeta,
+                eta: &eta,
+                wanted: &wanted,
+                ..*self
+            };
+            sharpest(&part, bits)
+        };
+        split::over_parts(whole, bits, over).map(|found| self.response(found))
+    }
+
+    fn response(&self, found: Answers) -> Response {
+        Response {
             regime: found.regime,
             moves_from_rest: self.moves_from_rest(),
             bits: found.bits,
             values: found.values,
-        })
+        }
     }
 
     fn moves_from_rest(&self) -> Option<bool> {
@@ -223,19 +250,16 @@ impl InBalls for AskedRatios<'_> {
             _ => false,
         };
         if exists {
-            let wanted = |output| self.only.is_none_or(|only| only == output);
             let support = Support {
                 excitation: self.excitation,
                 omega: half.omega,
                 alpha: ball,
                 damping_ratio: half.free.zeta,
             };
-            let found = cycle::outputs(&angle, half, &support, wanted);
+            let found = cycle::outputs(&angle, half, &support, self.wanted);
             // For exact ratios, more bits find every output; over intervals some may never be found.
-            is_decided = found
-                .as_ref()
-                .is_some_and(|found| !self.is_exact() || found.iter().all(|(_, value)| value.is_some()));
-            values.extend(found.into_iter().flatten());
+            is_decided = !self.is_exact() || found.iter().all(|(_, value)| value.is_some());
+            values.extend(found);
         }
         Answers::new(regime, values, self.is_exact(), is_decided)
     }

@@ -91,7 +91,8 @@ pub(crate) fn is_unknown<F: Float>(greatest: F) -> bool {
 ///
 /// This is branch and bound, with the most promising piece first. On a piece of half width d about c, |f| is
 /// at most `|f(c)| + |f′(c)| d + curvature d²/2`; the piece is discarded where that does not exceed the best
-/// value so far. On a sufficiently narrow piece, Newton's method on f′ starts from its middle.
+/// value so far. On a piece so narrow that f″ is nearly the same at its ends and its middle, Newton's method on f′ starts from
+/// its middle.
 ///
 /// NaN where 2²⁰ pieces do not suffice: for a function with very many oscillations of nearly one height.
 pub(crate) fn greatest<F: Float>(
@@ -125,8 +126,14 @@ pub(crate) fn greatest<F: Float>(
         if reach <= best * slack {
             break;
         }
-        // The piece is so narrow that f″ hardly changes: find its stationary point, if it has one.
-        if rest * F::int(1 << 20) <= best {
+        // A peak may be far narrower than its height tells, beside an end where f hardly moves: f″ decides.
+        let ends = (rest * F::int(1 << 20) <= best).then(|| [f(low), f(high)]);
+        for end in ends.iter().flatten() {
+            best = best.or_larger(end.value.abs());
+        }
+        let is_like_middle = |end: &Jet<F>| (end.second - at.second).abs() * F::int(4) <= at.second.abs();
+        if ends.is_some_and(|ends| ends.iter().all(is_like_middle)) {
+            // Its stationary point, if it has one.
             let mut x = middle;
             for _ in 0..F::precision().ilog2() {
                 let at = f(x);
@@ -203,6 +210,23 @@ mod tests {
         let sampled = (0..7_000_000).map(|i| f(f64::from(i) * 1e-6).value.abs()).fold(0.0, f64::max);
         assert!(found >= sampled && found < sampled + 1e-8, "{found} {sampled}");
         assert_eq!(greatest(0.0, 1.0, 5.0, known(1603.0), f), 5.0);
+    }
+
+    /// Waves of 10⁻⁸ of the height: pieces too low to tell them apart hold several.
+    #[test]
+    fn waves_far_lower_than_the_value_are_told_apart() {
+        let f = |t: f64| {
+            let ((sine, cosine), size) = ((1000.0 * t).sin_cos(), 1e-8 * (1.0 + t));
+            Jet {
+                value: 1.0 + size * sine,
+                slope: 1e-8 * sine + 1000.0 * size * cosine,
+                second: 2e-5 * cosine - 1e6 * size * sine,
+            }
+        };
+        let found = greatest(0.0, 1.0, 0.0, known(0.021), f);
+        // The last crest is at t = 317.5 π/1000 = 0.9975.
+        let sampled = (0..1_000_000).map(|i| f(f64::from(i) * 1e-6).value).fold(0.0, f64::max);
+        assert!(found >= sampled && found < sampled + 1e-14, "{found} {sampled}");
     }
 
     #[test]

@@ -35,7 +35,7 @@ use crate::named::named;
 use crate::uncertainty::Estimate;
 use alloc::boxed::Box;
 use alloc::vec::Vec;
-use core::f64::consts::{SQRT_2, TAU};
+use core::f64::consts::TAU;
 use core::iter::zip;
 use explained::is_unexplained;
 #[cfg(not(feature = "std"))]
@@ -366,25 +366,23 @@ fn chosen(points: &[MeasuredPoint], reading: Reading) -> Result<ChosenReading, E
         }
     }
     let Read { curve: best, trimmed: fit, judged } = best?;
-    // A curve that the model explains gives no cause for suspicion. The factors are those of harmonic motions.
+    // A curve that the model explains gives no cause for suspicion.
     let is_explained = |fit: &CurveFit| fit.sum < EXPLAINED.powi(2) * fit.weights.iter().sum::<f64>();
-    let (rms, half) = (AmplitudeKind::RootMeanSquare, 0.5);
-    let others = match reading.amplitude {
-        AmplitudeKind::Peak => [(rms, SQRT_2), (AmplitudeKind::PeakToPeak, half)],
-        AmplitudeKind::PeakToPeak => [(AmplitudeKind::Peak, 1.0), (rms, SQRT_2)],
-        AmplitudeKind::RootMeanSquare => [(AmplitudeKind::Peak, 1.0), (AmplitudeKind::PeakToPeak, half)],
-    };
-    let mut better: Option<(AmplitudeKind, ResponseCurve<'_>, CurveFit)> = None;
-    for (kind, scale) in others.into_iter().filter(|_| !is_explained(&fit)) {
-        let other = ResponseCurve { amplitude: AmplitudeKind::Peak, scale, ..best };
-        let Ok(found) = grid.best(&other, Rule::Trimmed, few) else { continue };
-        if is_better(&best, &fit, &found) && better.as_ref().is_none_or(|(.., b)| found.sum < b.sum) {
-            better = Some((kind, other, found));
+    let kinds = [AmplitudeKind::Peak, AmplitudeKind::PeakToPeak, AmplitudeKind::RootMeanSquare];
+    let others = kinds.into_iter().filter(|kind| *kind != reading.amplitude && !is_explained(&fit));
+    let mut better: Option<(ResponseCurve<'_>, CurveFit)> = None;
+    for kind in others {
+        let other = ResponseCurve::of(points, kind, best.phase);
+        // A root mean square is that of the whole cycle.
+        let whole = (other.needs_whole() && !best.needs_whole()).then(|| StartGrid::of(&other));
+        let Ok(found) = whole.as_ref().unwrap_or(&grid).best(&other, Rule::Trimmed, few) else { continue };
+        if is_better(&best, &fit, &found) && better.as_ref().is_none_or(|(_, b)| found.sum < b.sum) {
+            better = Some((other, found));
         }
     }
-    let better = better.and_then(|(amplitude, other, found)| {
+    let better = better.and_then(|(other, found)| {
         let noise = judge(&other, found.at, None).ok()?.noise[0];
-        Some((amplitude, noise))
+        Some((other.amplitude, noise))
     });
     Ok(ChosenReading { phase: best.phase, better_phase, judged, better, grid })
 }

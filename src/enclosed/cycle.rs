@@ -13,8 +13,8 @@ use crate::cycle::damped::rising::{Moment, Rising};
 use crate::cycle::equivalent::Equivalent;
 use crate::cycle::phase_function::PhaseFunction;
 use crate::cycle::{
-    HalfCycle, arrival_acceleration, deviation_by, dynamic_amplification, fastest, free_swing,
-    loop_size_inertia, loop_size_stiffness, max_displacement, near_ends_or_crest, transmitted_force,
+    HalfCycle, arrival_acceleration, deviation_by, fastest, free_swing, loop_size_inertia,
+    loop_size_stiffness, max_displacement, near_ends_or_crest, transmitted_force,
 };
 use crate::float::ball::Ball;
 use crate::float::mp::Mp;
@@ -29,13 +29,13 @@ use core::cmp::Ordering;
 pub(crate) type Outputs<const W: usize> = Vec<(Output, Option<Ball<W>>)>;
 
 /// The outputs of the cycle under an excitation, for α certainly above the border, and without a damper Ω certainly not 1. Outputs that
-/// take a search are computed only if requested. `None` where the peak velocity is not found.
+/// take a search are computed only if requested.
 pub(crate) fn outputs<const W: usize>(
     angle: &Angle<W>,
     half: HalfPeriod<Ball<W>>,
     support: &Support<Ball<W>>,
     wanted: impl Fn(Output) -> bool,
-) -> Option<Outputs<W>> {
+) -> Outputs<W> {
     let Support { omega, alpha, excitation, .. } = *support;
     let amplitude = max_displacement(half.k, alpha, half.stiffness);
     let rising = Rising::new(half, amplitude);
@@ -51,21 +51,26 @@ pub(crate) fn outputs<const W: usize>(
     };
     let displacement_phase = lag + amplitude.atan2(half.h);
     let end = half.period;
-    let a1 = loop_size_stiffness(delta, alpha);
+    // Δ₀/(Bα), which changes little with α.
+    let amplification = max_displacement(half.k / alpha, Ball::int(1), half.stiffness) - half.shift / alpha;
+    let a1 = loop_size_stiffness(amplification, Ball::int(1)) / alpha;
     let mut found = vec![
         (Output::MaxDisplacement, Some(delta)),
         (Output::DisplacementPhase, Some(displacement_phase)),
         (Output::LoopSizeStiffness, Some(a1)),
         (Output::LoopSizeInertia, Some(loop_size_inertia(a1, omega))),
         (Output::Contraction, half.contraction(Ball::int(1) / rising.deceleration())),
-        (Output::DynamicAmplification, Some(dynamic_amplification(delta, alpha))),
+        (Output::DynamicAmplification, Some(amplification)),
     ];
     if [Output::MaxVelocity, Output::VelocityPhase, Output::Deviation].into_iter().any(&wanted) {
-        found.extend(if is_undamped {
-            at_only_maximum(angle, alpha, delta, displacement_phase)?
+        let [velocity, phase, deviation] = if is_undamped {
+            at_only_maximum(angle, alpha, delta, displacement_phase)
         } else {
-            at_greatest_velocity(&rising, displacement_phase)?
-        });
+            at_greatest_velocity(&rising, displacement_phase)
+        };
+        found.push((Output::MaxVelocity, velocity));
+        found.push((Output::VelocityPhase, phase));
+        found.push((Output::Deviation, deviation));
     }
     // The ball of the end contains the remainder of the half cycle.
     let whole = [(Mp::ZERO, end.lower())];
@@ -94,7 +99,12 @@ pub(crate) fn outputs<const W: usize>(
             of(&|at| rising.force(at, rising.vibration().place(at)))
         };
         found.push((Output::TransmittedForce, carried.map(|most| support.force(most))));
-        found.push((Output::Transmissibility, carried.map(|most| support.transmissibility(most))));
+        let transmissibility = if is_undamped && !support.is_foot() {
+            Some(amplification + Ball::int(1) / alpha)
+        } else {
+            carried.map(|most| support.transmissibility(most))
+        };
+        found.push((Output::Transmissibility, transmissibility));
     }
     if wanted(Output::MaxAbsoluteDisplacement) && excitation.is_none_or(Excitation::moves_base) {
         let most = if support.is_foot() {
@@ -129,7 +139,7 @@ pub(crate) fn outputs<const W: usize>(
             (Output::EffectiveDampingRatio, Some(equivalent.effective_damping_ratio())),
         ]);
     }
-    Some(found)
+    found
 }
 
 /// The outputs of the equivalent oscillator.
@@ -140,19 +150,20 @@ const EQUIVALENTS: [Output; 4] = [
     Output::EffectiveDampingRatio,
 ];
 
-/// V₀, ω_d t₁ and Δ₁.
+/// V₀, ω_d t₁ and Δ₁, each where it is found.
 fn at_greatest_velocity<const W: usize>(
     rising: &Rising<Ball<W>>,
     displacement_phase: Ball<W>,
-) -> Option<Outputs<W>> {
+) -> [Option<Ball<W>>; 3] {
     let (half, omega) = (rising.half, rising.half.omega);
     let end = half.period;
     let fastest = greatest((Mp::ZERO, end.lower()), |tau| {
         let [value, slope, second] = rising.velocity(&moment(&half, tau));
         Jet { value, slope, second }
-    })?;
-    let phase = fastest.at.map(|tau| reduced(displacement_phase - Ball::pi() + omega * tau));
-    let deviation = fastest.at.map(|tau| {
+    });
+    let at = fastest.as_ref().and_then(|fastest| fastest.at);
+    let phase = at.map(|tau| reduced(displacement_phase - Ball::pi() + omega * tau));
+    let deviation = at.map(|tau| {
         // x changes by the velocity times the time.
         by_mean_value(
             tau,
@@ -160,11 +171,7 @@ fn at_greatest_velocity<const W: usize>(
             |tau| rising.velocity(&moment(&half, tau))[0],
         )
     });
-    Some(vec![
-        (Output::MaxVelocity, Some(fastest.value / omega)),
-        (Output::VelocityPhase, phase),
-        (Output::Deviation, deviation),
-    ])
+    [fastest.map(|fastest| fastest.value / omega), phase, deviation]
 }
 
 /// V₀, ω_d t₁ and Δ₁ without a damper.
@@ -173,16 +180,12 @@ fn at_only_maximum<const W: usize>(
     alpha: Ball<W>,
     delta: Ball<W>,
     displacement_phase: Ball<W>,
-) -> Option<Outputs<W>> {
+) -> [Option<Ball<W>>; 3] {
     let (k, q, omega) = (angle.phase_function, angle.one_minus_square, angle.omega);
-    let psi = fastest_psi(angle, alpha, delta)?;
+    let Some(psi) = fastest_psi(angle, alpha, delta) else { return [None; 3] };
     let phase = reduced(displacement_phase - Ball::pi() / Ball::int(2) - omega * psi);
     let (so, co) = (omega * psi).sin_cos();
-    Some(vec![
-        (Output::MaxVelocity, Some(velocity(angle, delta, psi).0)),
-        (Output::VelocityPhase, Some(phase)),
-        (Output::Deviation, Some(deviation_by(k, q * delta, (so, co)))),
-    ])
+    [velocity(angle, delta, psi).0, phase, deviation_by(k, q * delta, (so, co))].map(Some)
 }
 
 /// A phase in (−2π, 2π) reduced to [0, 2π), where the reduction is certain.

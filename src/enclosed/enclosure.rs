@@ -3,13 +3,13 @@
 use crate::float::ball::{Ball, Radius, Written, written};
 use crate::float::mp::Mp;
 use core::fmt;
-use rug::Float;
 use rug::float::Round;
+use rug::{Float, Rational};
 
 /// All numbers within a radius of a midpoint, one of which is the output.
 ///
 /// [`Display`](core::fmt::Display) prints the digits that are certain to within one unit in the last place,
-/// then ± and the radius.
+/// then ± and the radius. Where fewer than three are certain it prints two more, because their rounding would widen the radius.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 #[must_use]
@@ -46,6 +46,20 @@ impl Enclosure {
         Ball::new(mid, Radius::above(Mp::<2>::from_rug(&self.rad)).plus(rounding))
     }
 
+    /// The least and the greatest of these numbers.
+    pub(crate) fn ends(&self) -> Option<(Rational, Rational)> {
+        let (mid, rad) = (self.mid.to_rational()?, self.rad.to_rational()?);
+        Some((Rational::from(&mid - &rad), mid + rad))
+    }
+
+    /// The numbers between two ends, with a midpoint of `bits` bits.
+    pub(super) fn between(low: &Rational, high: &Rational, bits: u32) -> Self {
+        let mid = Float::with_val(bits, Rational::from(low + high) / 2u32);
+        let exact = mid.to_rational().unwrap_or_default();
+        let reach = Rational::from(high - &exact).max(exact - low);
+        Self { mid, rad: Float::with_val_round(64, reach, Round::Up).0 }
+    }
+
     /// This enclosure with a midpoint of `bits` bits, and a radius that includes the rounding of the
     /// midpoint.
     pub(super) fn rounded(&self, bits: u32) -> Self {
@@ -62,12 +76,8 @@ impl Enclosure {
     /// Whether the enclosure contains a number of any precision.
     #[must_use]
     pub fn contains(&self, x: &Float) -> bool {
-        let (Some(mid), Some(rad), Some(x)) =
-            (self.mid.to_rational(), self.rad.to_rational(), x.to_rational())
-        else {
-            return false;
-        };
-        (x - mid).abs() <= rad
+        let (Some((low, high)), Some(x)) = (self.ends(), x.to_rational()) else { return false };
+        low <= x && x <= high
     }
 
     /// Midpoint and radius in decimal, with two digits more than are certain, as in the JSON output.
@@ -85,7 +95,8 @@ impl Enclosure {
 
 impl fmt::Display for Enclosure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Written { mid, rad } = self.written(0);
+        let is_wide = Float::with_val(64, &self.rad << 10u32) > *self.mid.as_abs();
+        let Written { mid, rad } = self.written(if is_wide { 2 } else { 0 });
         f.pad(&format!("{mid} ± {rad}"))
     }
 }

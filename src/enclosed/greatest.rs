@@ -1,23 +1,24 @@
 //! The greatest value of a smooth function on an interval, by branch and bound: parts that cannot contain the
-//! maximum are discarded, until each remaining part has one stationary point, proved and enclosed.
+//! maximum are discarded, until each remaining part has one stationary point, proved and enclosed. Over intervals of its
+//! parameters the function itself is known to a width only; the search ends where the parts are as sharp as that.
 //!
 //! The search of floats (`crate::greatest`) has another text: it takes the bounds on a part from what is known of the
 //! function, where balls evaluate the function on the part, and it ends at rounding, where balls prove a maximum.
 
 use super::root::{by_mean_value, only_zero};
 use crate::float::Field;
-use crate::float::ball::Ball;
+use crate::float::ball::{Ball, Radius};
 use crate::float::mp::Mp;
 use crate::greatest::Jet;
 use core::cmp::Ordering;
 
-/// The greatest number of parts before the search gives up.
+/// The number of parts after which the search is content with the bounds that it has.
 const MOST: usize = 1500;
 
 /// A greatest value.
 pub(super) struct Greatest<const W: usize> {
     pub(super) value: Ball<W>,
-    /// Its place; `None` where several places may have it.
+    /// Its place, or between the places that may have it; `None` where that is unknown.
     pub(super) at: Option<Ball<W>>,
 }
 
@@ -26,7 +27,7 @@ pub(super) fn greatest<const W: usize>(
     range: (Mp<W>, Mp<W>),
     f: impl Fn(Ball<W>) -> Jet<Ball<W>>,
 ) -> Option<Greatest<W>> {
-    search(&[(range, false)], &[], |t, _| f(t))
+    search(&[range], &[false], &[], |t, _| f(t))
 }
 
 /// The greatest |f| over intervals. The gaps between them are skipped because the maximum is known to lie in
@@ -36,13 +37,12 @@ pub(super) fn greatest_size<const W: usize>(
     ends: &[Ball<W>],
     f: impl Fn(Ball<W>) -> Jet<Ball<W>>,
 ) -> Option<Ball<W>> {
-    let both: Vec<_> = ranges.iter().flat_map(|range| [(*range, false), (*range, true)]).collect();
     let signed = |t, is_negated| {
         let jet = f(t);
         let Jet { value, slope, second } = jet;
         if is_negated { Jet { value: -value, slope: -slope, second: -second } } else { jet }
     };
-    search(&both, ends, signed).map(|found| found.value)
+    search(ranges, &[false, true], ends, signed).map(|found| found.value)
 }
 
 /// A part of an interval.
@@ -55,6 +55,8 @@ struct Part<const W: usize> {
     upper: Mp<W>,
     /// One value of the part is not smaller.
     attained: Mp<W>,
+    /// How far the function is uncertain at one place.
+    blur: Radius,
 }
 
 impl<const W: usize> Part<W> {
@@ -67,7 +69,7 @@ impl<const W: usize> Part<W> {
         let bent = at_middle.value + at_middle.slope * step + over.second * step.square() / Ball::int(2);
         let upper = [straight, bent].into_iter().map(|bound| bound.upper());
         let upper = upper.fold(over.value.upper(), |least, upper| if upper < least { upper } else { least });
-        Self { ends, sign, over, upper, attained: at_middle.value.lower() }
+        Self { ends, sign, over, upper, attained: at_middle.value.lower(), blur: at_middle.value.rad() }
     }
 }
 
@@ -78,9 +80,10 @@ fn most_promising<const W: usize>(parts: &mut Vec<Part<W>>) -> Option<Part<W>> {
     Some(parts.swap_remove(first))
 }
 
-/// The greatest value over several parts, each with or without a change of sign.
+/// The greatest value over several ranges, without and with a change of sign.
 fn search<const W: usize>(
-    parts: &[((Mp<W>, Mp<W>), bool)],
+    ranges: &[(Mp<W>, Mp<W>)],
+    signs: &[bool],
     ends: &[Ball<W>],
     f: impl Fn(Ball<W>, bool) -> Jet<Ball<W>>,
 ) -> Option<Greatest<W>> {
@@ -91,10 +94,11 @@ fn search<const W: usize>(
         best = reached(best, value.lower());
     }
     // Attained values, to discard parts that are certainly smaller.
-    for ((low, high), sign) in parts {
+    for (low, high) in ranges {
         for i in 1..48 {
             let t = Ball::exact(*low + (*high - *low) * Mp::of_int(i) / Mp::of_int(48));
-            best = reached(best, f(t, *sign).value.lower());
+            let value = f(t, false).value;
+            best = reached(best, if signs.len() > 1 { value.abs() } else { value }.lower());
         }
     }
     let (mut left, mut count) = (Vec::new(), 0);
@@ -105,15 +109,14 @@ fn search<const W: usize>(
             left.push(part);
         }
     };
-    for (ends, sign) in parts {
-        examine(*ends, *sign, &mut best, &mut left);
+    for ends in ranges {
+        for sign in signs {
+            examine(*ends, *sign, &mut best, &mut left);
+        }
     }
     // The most promising part first.
-    while let Some(Part { ends: (low, high), sign, over, upper, .. }) = most_promising(&mut left) {
+    while let Some(Part { ends: (low, high), sign, over, upper, blur, .. }) = most_promising(&mut left) {
         count += 1;
-        if count > MOST {
-            return None;
-        }
         if upper < best {
             break;
         }
@@ -144,8 +147,13 @@ fn search<const W: usize>(
             // interval.
             continue;
         }
-        if middle <= low || middle >= high {
-            return None;
+        // No part left has a greater value.
+        if count > MOST || middle <= low || middle >= high || upper - best <= blur.scaled(1).value() {
+            let places = left.iter().filter(|part| part.upper >= best).map(|part| part.ends);
+            let place =
+                places.fold(Ball::between(low, high), |all, (low, high)| all.hull(&Ball::between(low, high)));
+            found.push((Ball::between(best, upper), place));
+            break;
         }
         examine((low, middle), sign, &mut best, &mut left);
         examine((middle, high), sign, &mut best, &mut left);
@@ -153,8 +161,6 @@ fn search<const W: usize>(
     found.retain(|(value, _)| value.upper() >= best);
     let (first, others) = found.split_first()?;
     let value = others.iter().fold(first.0, |value, other| value.larger(&other.0));
-    // There is one place if all balls overlap.
-    let is_one = others.iter().all(|other| other.1.intersection(&first.1).is_some());
-    let at = is_one.then(|| others.iter().fold(first.1, |at, other| at.hull(&other.1)));
-    Some(Greatest { value, at })
+    let at = others.iter().fold(first.1, |at, other| at.hull(&other.1));
+    Some(Greatest { value, at: (!at.is_entire()).then_some(at) })
 }

@@ -48,7 +48,7 @@ pub(super) struct Answers {
     /// The number of certain bits of the least certain output.
     sharpness: i64,
     is_exact: bool,
-    is_decided: bool,
+    pub(super) is_decided: bool,
 }
 
 impl Answers {
@@ -95,6 +95,9 @@ pub(super) fn has_bits<const W: usize>(ball: &Ball<W>, bits: u32) -> bool {
     certain_bits(ball) >= least_sharpness(bits)
 }
 
+/// With fewer certain bits the intervals are wide beside any rounding at 128 bits.
+const WIDE: i64 = 32;
+
 /// Two bits more than requested.
 fn least_sharpness(bits: u32) -> i64 {
     i64::from(bits) + 2
@@ -106,7 +109,9 @@ pub(super) fn sharpest(question: &impl InBalls<Found = Answers>, bits: u32) -> R
     let found = with_more_bits(&PRECISIONS, bits, question, |_, found| {
         let is_sharp = found.sharpness >= least_sharpness(bits);
         // With intervals for the ratios, further bits cannot reduce the width that the intervals cause.
-        let is_final = !found.is_exact && last.as_ref().is_some_and(|l| found.sharpness <= l.sharpness);
+        let is_wide = found.is_decided && found.sharpness < WIDE;
+        let is_final =
+            !found.is_exact && (is_wide || last.as_ref().is_some_and(|l| found.sharpness <= l.sharpness));
         let is_enough = found.is_decided && is_sharp || is_final;
         let found = last.insert(found);
         is_enough.then(|| found.clone())

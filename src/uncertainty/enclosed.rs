@@ -53,7 +53,7 @@ impl<F: Float> RatioBox<F> {
 fn of_ratios(output: Output, part: &[Ends]) -> Result<Over, Error> {
     let [omega, alpha, zeta] = part else { return Ok(Over::Undecided) };
     let found = response(output, [omega, alpha, zeta], None)?;
-    Ok(over(output, &found, bounds))
+    Ok(over(output, &found, Enclosure::ends))
 }
 
 /// The closed forms for Ω, α and ζ in these intervals, under an excitation.
@@ -80,12 +80,6 @@ fn ends<F: Float>(interval: Interval<F>) -> Option<Ends> {
     let low = if F::from_f64(low) == interval.low { low } else { low.next_down() };
     let high = if F::from_f64(high) == interval.high { high } else { high.next_up() };
     Some((Rational::from_f64(low)?, Rational::from_f64(high)?))
-}
-
-/// The ends of an enclosure.
-fn bounds(found: &Enclosure) -> Option<Ends> {
-    let (mid, rad) = (found.mid.to_rational()?, found.rad.to_rational()?);
-    Some((Rational::from(&mid - &rad), mid + rad))
 }
 
 fn guaranteed<F: Float>((low, high): Ends) -> Range<F> {

@@ -30,6 +30,11 @@ impl<'a> TypedRatios<'a> {
         self.typed.iter().find(|(own, _)| *own == input).map(|(_, text)| *text)
     }
 
+    /// Whether a ratio is an interval.
+    fn has_interval(&self) -> bool {
+        self.typed.iter().any(|(_, text)| text.contains(".."))
+    }
+
     /// A ratio exactly as written; without one ζ is 0 and η is 1.
     pub(super) fn known(&self, input: Input) -> Result<Known, Failure> {
         let option = input.option();
@@ -82,6 +87,9 @@ impl EnclosedAnswer<'_> {
                     .to_owned()
             }
             Some(other) => other.name().to_owned(),
+            None if self.typed.has_interval() => {
+                "Undecided: these intervals hold both sides of a threshold, or come too close to one.".to_owned()
+            }
             None => format!("Undecided at {bits} bits: α is too close to a threshold."),
         }
     }

@@ -42,7 +42,7 @@ pub(super) fn reduced(angle: f64) -> f64 {
 
 impl<'a> ResponseCurve<'a> {
     /// Whether the readings depend on the whole cycle.
-    fn needs_whole(&self) -> bool {
+    pub(super) fn needs_whole(&self) -> bool {
         let phases = self.phase != PhaseKind::Peak && self.points.iter().any(|p| p.phase.is_some());
         phases || self.amplitude == AmplitudeKind::RootMeanSquare
     }

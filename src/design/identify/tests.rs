@@ -7,7 +7,7 @@ use super::valleys::{Levels, searched};
 use super::{AmplitudeKind, Identified, Measurement, PhaseKind, Reading, identify, in_ratios};
 use crate::cycle::damped;
 use crate::cycle::damped::half_period::HalfPeriod;
-use crate::motion::{LongRun, State};
+use crate::motion::{LongRun, State, Trajectory};
 use crate::random::Random;
 use crate::{Cycle, Drive, Error, Oscillator, Ratios};
 
@@ -36,6 +36,28 @@ fn curve(friction: f64, zeta: f64, (low, high): (f64, f64), count: u32, phases: 
 
 fn found(curve: &[Measurement]) -> Identified {
     identify(2.0, Some(8.0), Some(FORCE), curve, Reading::default()).unwrap()
+}
+
+/// Root mean squares of dense samples of motions with stops, read as peaks: the kind is recognised, with the noise of the curve.
+#[test]
+fn root_mean_squares_of_motions_with_stops_are_recognised() {
+    let body = body(7.0, 0.05);
+    let measured = |i: u32| {
+        let angular_frequency = 0.4 + 0.2 * f64::from(i);
+        let ratios = Drive::force(FORCE, angular_frequency).unwrap().ratios(&body).unwrap();
+        let limit = LongRun::from_start(ratios, State::default()).unwrap();
+        let steady = limit.steady_state().unwrap();
+        let count = 20_000;
+        let samples = Trajectory::new(ratios, steady.state).unwrap().samples(count).unwrap().take(20_000);
+        let square: f64 = samples.map(|at| at.unwrap().state.x.powi(2)).sum();
+        let amplitude = (square / f64::from(count)).sqrt() * body.friction_displacement();
+        (Measurement { angular_frequency, amplitude, phase: None }, steady.sticks_per_cycle > 0)
+    };
+    let curve: Vec<_> = (0..12).map(measured).collect();
+    assert!(curve.iter().filter(|(_, stops)| *stops).count() >= 4, "{curve:?}");
+    let curve: Vec<_> = curve.into_iter().map(|(measured, _)| measured).collect();
+    let (kind, noise) = found(&curve).better.unwrap();
+    assert!(kind == AmplitudeKind::RootMeanSquare && noise < 1e-3, "{kind:?} {noise}");
 }
 
 #[test]

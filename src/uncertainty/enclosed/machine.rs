@@ -2,7 +2,7 @@
 
 use super::parts::{self, Ends, Over};
 use super::verdict;
-use super::{bounds, ends, guaranteed, over, response};
+use super::{ends, guaranteed, over, response};
 use crate::cycle::regime::{Regime, Verdict};
 use crate::enclosed::{Enclosure, Known};
 use crate::float::ball::Ball;
@@ -148,7 +148,7 @@ fn over_positive(a: &Ends, b: &Ends) -> Ends {
 
 /// The ends of an enclosed value in physical units.
 fn physical(value: &Enclosure, unit: B) -> Option<Ends> {
-    let (low, high) = bounds(value)?;
+    let (low, high) = value.ends()?;
     let found = ball(&(low, high)) * unit;
     Some((found.lower().to_rational()?, found.upper().to_rational()?))
 }

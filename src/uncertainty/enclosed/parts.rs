@@ -1,10 +1,8 @@
 //! The range of a function over a box, from enclosures over its parts.
 
+pub(super) use crate::enclosed::split::Ends;
+use crate::enclosed::split::{halves, widest};
 use crate::machine::error::Error;
-use rug::Rational;
-
-/// An interval of rational numbers, from low to high.
-pub(super) type Ends = (Rational, Rational);
 
 /// The values of a function over a part of the box.
 #[derive(Debug, Clone)]
@@ -62,16 +60,6 @@ fn next(parts: &[(Over, Vec<Ends>)]) -> Option<(usize, usize)> {
     Some((index, widest(part)?))
 }
 
-/// The parameter with the relatively widest interval; `None` where all are known exactly.
-fn widest(part: &[Ends]) -> Option<usize> {
-    let width = |(low, high): &Ends| {
-        let size = Rational::from(low + high);
-        if size == 0 { size } else { Rational::from(high - low) / size }
-    };
-    let (side, width) = part.iter().map(width).enumerate().max_by(|(_, a), (_, b)| a.cmp(b))?;
-    (width > 0).then_some(side)
-}
-
 /// Whether the function is above 1 over the whole box (true) or below 1 (false); `None` where it is on both
 /// sides, or where `most` parts do not decide.
 ///
@@ -99,22 +87,6 @@ pub(super) fn is_above_one(
         }
     }
     Ok(known.filter(|_| left.is_empty()))
-}
-
-/// The part cut in two across one of its sides.
-fn halves(part: &[Ends], side: usize) -> [Vec<Ends>; 2] {
-    let cut = |is_upper: bool| {
-        let end = |(index, (low, high)): (usize, &Ends)| {
-            let middle = || Rational::from(low + high) / 2u32;
-            match (index == side, is_upper) {
-                (false, _) => (low.clone(), high.clone()),
-                (true, false) => (low.clone(), middle()),
-                (true, true) => (middle(), high.clone()),
-            }
-        };
-        part.iter().enumerate().map(end).collect()
-    };
-    [cut(false), cut(true)]
 }
 
 /// The range from the least to the greatest value over all parts, if each has values.
