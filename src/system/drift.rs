@@ -5,7 +5,7 @@
 //! from `q + U s` is that from q, moved by U s. The period map P has the same symmetry, `P(q + U s, …) = P(q, …) + U s`, and
 //! its limit lives in the quotient: the part of `P(z) − z` in U is the **drift**.
 
-use super::assembly::{Assembly, Rule};
+use super::assembly::{Assembly, Rule, unit};
 use super::matrix::{Matrix, add_times, dot, size_of_dot};
 use crate::float::Float;
 use alloc::vec;
@@ -29,14 +29,17 @@ impl<F: Float> Drift<F> {
         let mut noticed: Vec<Vec<F>> = system.stiffness.rows().map(<[F]>::to_vec).collect();
         for part in &system.parts {
             let row = match &part.rule {
-                Rule::Stop { depth, .. } => Some(depth),
-                Rule::Contact { normal, .. } => normal.as_ref(),
-                Rule::Elastic { .. } => None,
+                Rule::Stop { depth, .. } => Some(depth.as_slice()),
+                Rule::Contact { .. } | Rule::Elastic { .. } => part.normal(),
             };
             noticed.extend(row.and_then(|row| row.get(..n)).map(<[F]>::to_vec));
         }
+        // Whoever moves a coordinate notices its displacement.
+        noticed.extend(system.moved.iter().map(|moved| unit(n, moved.coordinate)));
         // In units in which each coordinate has the mass 1, and each row the size 1.
-        let scale: Vec<F> = (0..n).map(|i| F::int(1) / system.mass.at(i, i).sqrt()).collect();
+        let moved = |i: usize| system.moved.iter().any(|moved| moved.coordinate == i);
+        let mass = |i: usize| if moved(i) { F::int(1) } else { system.mass.at(i, i) };
+        let scale: Vec<F> = (0..n).map(|i| F::int(1) / mass(i).sqrt()).collect();
         let mut gram = Matrix::zero(n, n);
         for row in &noticed {
             let row: Vec<F> = row.iter().zip(&scale).map(|(&x, &s)| x * s).collect();
@@ -119,7 +122,8 @@ impl<F: Float> Natural<F> {
     pub(crate) fn new(system: &Assembly<F>, time: F) -> Self {
         let zero = F::int(0);
         let (n, free) = (system.n, system.free);
-        let size = |row: &[F]| row.get(free..).unwrap_or(&[]).iter().fold(zero, |sum, x| sum + x.abs());
+        let reach = system.reach();
+        let size = |row: &[F]| size_of_dot(row.get(free..).unwrap_or(&[]), &reach);
         let (mut force, mut stiffness, mut speed) = (zero, zero, zero);
         for row in system.stiffness.rows() {
             stiffness = row.iter().fold(stiffness, |most, x| most.or_larger(x.abs()));
@@ -135,14 +139,15 @@ impl<F: Float> Natural<F> {
                     let most = pieces.iter().fold(zero, |most, piece| most.or_larger(piece.force));
                     force = force + most * *peak * load;
                 }
-                Rule::Elastic { stiffness: own, friction, .. } => {
-                    force = force + *friction;
+                Rule::Elastic { stiffness: own, bound, .. } => {
+                    force = force + size(bound);
                     stiffness = stiffness.or_larger(*own);
                 }
                 Rule::Stop { stiffness: own, .. } => stiffness = stiffness.or_larger(*own),
             }
         }
-        let mass = (0..n).map(|i| system.mass.at(i, i));
+        let moved = |i: &usize| system.moved.iter().any(|moved| moved.coordinate == *i);
+        let mass = (0..n).filter(|i| !moved(i)).map(|i| system.mass.at(i, i));
         let mass = mass.reduce(|a, b| if b < a { b } else { a }).unwrap_or(F::int(1));
         let rate = (stiffness / mass).sqrt();
         let displacement = if stiffness > zero { force / stiffness } else { force / mass * time * time };
