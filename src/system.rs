@@ -69,6 +69,7 @@ use crate::float::Float;
 use alloc::vec::Vec;
 use assembly::{Assembly, finite, vector};
 use core::ops::ControlFlow;
+use drift::Drift;
 use follow::Follower;
 use motion::{Observer, Passage, state};
 
@@ -209,15 +210,8 @@ impl<F: Float> System<F> {
             let condition = "must repeat themselves: a steady motion has the period of a load";
             return Err(Error::Unsupported { name: "records".into(), condition });
         }
-        let zero = F::int(0);
-        let comes_back = |driven: &assembly::Driven<F>| {
-            let row = driven.displacement.as_ref().or(driven.velocity.as_ref());
-            let by =
-                |row: &Vec<F>| row.iter().rev().take(1 + 2 * self.assembly.records.len()).all(|&x| x == zero);
-            row.is_some_and(|row| driven.displacement.is_some() || by(row))
-        };
-        if !self.assembly.moved.iter().all(comes_back) {
-            let condition = "must come back: prescribe its displacement, or waves of its velocity";
+        if !Drift::new(&self.assembly).carries(&self.assembly) {
+            let condition = "must come back, or take along what is on springs with it: prescribe its displacement, or its velocity";
             return Err(Error::Unsupported { name: "moved".into(), condition });
         }
         let records = self.assembly.records.iter().map(|record| F::int(2) * F::pi() / record.length());

@@ -7,7 +7,7 @@ use crate::note::line;
 use crate::output;
 use std::io::Write;
 use stickslip::inputs::units::{Kind as Of, System as Units};
-use stickslip::system::{Beyond, Border, Cycle, Element, Kind, Law, Motion, Steady, SteadyKind};
+use stickslip::system::{Beyond, Border, Cycle, Element, Kind, Law, Motion, MovedBy, Steady, SteadyKind};
 use stickslip_front::system::{
     Described, Description, NamedSystem, border_verdict, frequency_of, kind_of, plural, sliding_verdict,
     steady_verdict, with_unit,
@@ -48,7 +48,14 @@ pub(super) fn describe(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Wr
     writeln!(out, "A system of {}.\n", parts.join(", "))?;
     for (i, name) in described.coordinates.iter().enumerate() {
         let mass = described.model.mass.get(i).and_then(|row| row.get(i)).copied().unwrap_or(0.0);
-        line(out, name, with_unit(mass, units, Of::Mass))?;
+        let moved = described.model.moved.iter().find(|moved| moved.coordinate == i);
+        let text = match moved.map(|moved| moved.by) {
+            Some(MovedBy::Displacement) => "moved by its displacement".to_owned(),
+            Some(MovedBy::Velocity) => "moved by its velocity".to_owned(),
+            Some(MovedBy::Acceleration) => "moved by its acceleration".to_owned(),
+            None => with_unit(mass, units, Of::Mass),
+        };
+        line(out, name, text)?;
     }
     for element in elements {
         line(out, &element.name, of_element(element, described, units))?;

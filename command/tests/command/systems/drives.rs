@@ -204,6 +204,33 @@ fn a_table_that_is_moved_is_a_base_that_moves() {
     }
 }
 
+/// A block on the ground at the pulled end of a spring sticks and slips as on a belt in the frame of that end, and goes along with it.
+#[test]
+fn a_block_at_the_pulled_end_of_a_spring_is_one_on_a_belt() {
+    let block = |ends: &str, rest: &str| {
+        format!(
+            "units = \"N,m\"\n[masses]\nblock = 1\n{rest}[[springs]]\nbetween = [\"{ends}\", \"block\"]\nstiffness = 100\ndamping = \
+             0.2\n[[contacts]]\nbetween = [\"ground\", \"block\"]\nlaw = [[0, 10], [0.5, 7], [2, 6]]\npeak = 1.2\n"
+        )
+    };
+    let pulled = block("hand", "hand = { moves = \"0.2 m/s\" }\n");
+    let belt = block("ground", "") + "moves = \"-0.2 m/s\"\n";
+    let held = pulled.clone() + "[[springs]]\nbetween = [\"ground\", \"block\"]\nstiffness = 1\n";
+    let files = [("pulled.toml", &*pulled), ("belt.toml", &*belt), ("held.toml", &*held)];
+    let folder = folder("pulled", &files);
+    let name = |name: &str| folder.join(name).display().to_string();
+    let [found, due] =
+        ["pulled.toml", "belt.toml"].map(|file| json(&format!("system {} steady --format json", name(file))));
+    let same = |of: fn(&serde_json::Value) -> f64| (of(&found) / of(&due) - 1.0).abs();
+    assert_eq!((&found["kind"], found["events"].as_array().unwrap().len()), (&due["kind"], 2));
+    assert!(same(|found| number(&found["period"])) < 1e-10, "{found} {due}");
+    assert!(same(|found| number(&found["elements"][0]["time_at_rest"])) < 1e-10, "{found} {due}");
+    assert!(same(|found| number(&found["damper_work"])) < 1e-9, "{found} {due}");
+    let drift = 0.2 * number(&found["period"]);
+    assert!(distance(&numbers(&found["drift"]), &[drift, drift]) < 1e-12, "{found}");
+    refused(&format!("system {} steady", name("held.toml")), &["must come back"]);
+}
+
 /// The loop of a bearing: a plate that is moved against the ground has the friction of its direction, and 4 r X of work in a period.
 #[test]
 fn a_bearing_at_an_imposed_displacement_has_its_loop() {
