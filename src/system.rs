@@ -29,9 +29,9 @@
 //! # Where is what
 //!
 //! `model.rs` is the description as it is given, `assembly.rs` checks it and builds rows over the state,
-//! `branch.rs` has the linear equation between two events and the proof of the certificate, `first_passage.rs` the search for a
+//! `branch.rs` has the linear equation between two events and the proof of the certificate, `timeline.rs` has the samples of records in time, `first_passage.rs` the search for a
 //! guard's first zero, `next_branch.rs` the choice of the next branch, `dependent.rs` what contacts with dependent directions
-//! can hold, `follow.rs` the motion from event to event, `events.rs` what watches it,
+//! can hold, `follow.rs` the motion from event to event, `events.rs` what watches it, `levels.rs` the passages of values,
 //! `grid.rs` many systems on all cores, `motion.rs` its answers, `steady.rs` the long run, `self_excited.rs` that without a load, `sliding.rs` the stability of steady sliding, and `border.rs` the closed form for one contact.
 
 mod assembly;
@@ -51,6 +51,7 @@ mod forced;
 #[cfg(feature = "rayon")]
 mod grid;
 mod kept;
+mod levels;
 mod matrix;
 mod model;
 mod modes;
@@ -62,20 +63,24 @@ mod rate;
 mod self_excited;
 mod sliding;
 mod steady;
+mod timeline;
 
 use crate::float::Float;
 use alloc::vec::Vec;
 use assembly::{Assembly, finite, vector};
 use core::ops::ControlFlow;
+use drift::Drift;
 use follow::Follower;
-use motion::{Observer, state};
+use motion::{Observer, Passage, state};
 
 pub use border::{Border, Cycle};
 pub use error::Error;
 pub use events::{Event, EventKind};
 #[cfg(feature = "rayon")]
 pub use grid::solve_each;
-pub use model::{Base, Element, Harmonic, Kind, Law, Model, Normal, Record, Signal, State};
+pub use model::{
+    Base, Beyond, Element, Harmonic, Kind, Law, Level, Model, Moved, MovedBy, Normal, Record, Signal, State,
+};
 pub use motion::{ElementMotion, Motion};
 pub use sliding::{GREATEST_COEFFICIENT, Sliding, SlidingThreshold};
 pub use steady::{Steady, SteadyKind};
@@ -127,8 +132,8 @@ impl<F: Float> System<F> {
     /// let load = Harmonic { frequency: 1.0, sin: vec![-1.0], cos: vec![] };
     /// let (mass, damping, stiffness) = (vec![vec![1.0]], vec![vec![0.0]], vec![vec![4.0]]);
     /// let model = Model { mass, damping, stiffness, harmonics: vec![load], ..Model::default() };
-    /// let acceleration = Signal { constant: 0.0, sin: vec![1.0], cos: vec![] };
-    /// let base = Base { influence: vec![1.0], acceleration, records: vec![] };
+    /// let acceleration = Signal { sin: vec![1.0], ..Signal::constant(0.0) };
+    /// let base = Base { influence: vec![1.0], acceleration };
     /// // x = −(sin t)/3, and x″ + sin t = 4/3 sin t.
     /// let start = State { velocity: vec![-1.0 / 3.0], ..State::rest(1) };
     /// let motion = System::new(&model)?.with_base(&base)?.simulate(&start, 7.0)?;
@@ -159,21 +164,59 @@ impl<F: Float> System<F> {
         Ok(observer.finish(&self.assembly, &first, &follower))
     }
 
-    /// The motion that a start leads to in the long run, at phase 0 of the harmonic loads.
+    /// The first time after the start, and at most the latest, at which the quantity of a level passes its value; none where there is no such
+    /// time or no such level.
+    ///
+    /// # Errors
+    /// As [`System::simulate`].
+    ///
+    /// ```
+    /// use stickslip::system::{Level, Model, State, System};
+    /// // A mass of 1 under a force of 2 is at 9 after 3.
+    /// let zero = || vec![vec![0.0]];
+    /// let level = Level { name: "end".into(), displacement: vec![1.0], velocity: vec![], value: 9.0 };
+    /// let model = Model {
+    ///     mass: vec![vec![1.0]],
+    ///     damping: zero(),
+    ///     stiffness: zero(),
+    ///     constant: vec![2.0],
+    ///     levels: vec![level],
+    ///     ..Model::default()
+    /// };
+    /// assert_eq!(System::new(&model)?.first_passage(&State::rest(1), 0, 10.0)?, Some(3.0));
+    /// # Ok::<(), stickslip::system::Error>(())
+    /// ```
+    pub fn first_passage(&self, start: &State<F>, level: usize, latest: F) -> Result<Option<F>, Error> {
+        let mut passage = Passage::new(&self.assembly, level);
+        if level < self.assembly.levels.len() {
+            self.follower(start, latest)?.run(latest, &mut passage)?;
+        }
+        Ok(passage.time())
+    }
+
+    /// The motion that a start leads to in the long run, at phase 0 of the harmonic loads and at the beginning of records that repeat
+    /// themselves.
     ///
     /// It is found by Newton's method from some followed periods, and accepted where the period map closes to rounding
-    /// with the events of the motion that was followed, and where small disturbances do not grow. Without harmonics the motion
+    /// with the events of the motion that was followed, and where small disturbances do not grow. Without loads the motion
     /// is self-excited, and its period is found with it, or it comes to rest. An undamped vibration that no contact stops is never
     /// forgotten, so that a start that has it does not settle.
     ///
     /// # Errors
-    /// As [`System::simulate`]; also where a period of the loads has more than 250,000 steps, or the loads have no common period, or there is a record.
+    /// As [`System::simulate`]; also where a period of the loads has more than 250,000 steps, or the loads have no common period, or a record does not
+    /// repeat itself.
     pub fn steady(&self, start: &State<F>) -> Result<Steady<F>, Error> {
-        if !self.assembly.records.is_empty() {
-            let condition = "must be absent: a steady motion has the period of a load";
+        if self.assembly.records.iter().any(|record| !record.repeats()) {
+            let condition = "must repeat themselves: a steady motion has the period of a load";
             return Err(Error::Unsupported { name: "records".into(), condition });
         }
-        if self.assembly.frequencies.is_empty() {
+        if !Drift::new(&self.assembly).carries(&self.assembly) {
+            let condition = "must come back, or take along what is on springs with it: prescribe its displacement, or its velocity";
+            return Err(Error::Unsupported { name: "moved".into(), condition });
+        }
+        let records = self.assembly.records.iter().map(|record| F::int(2) * F::pi() / record.length());
+        let frequencies: Vec<F> = self.assembly.frequencies.iter().copied().chain(records).collect();
+        if frequencies.is_empty() {
             let all: Vec<usize> = (0..self.assembly.parts.len()).collect();
             let mut frequencies = self.natural_frequencies(&[]);
             frequencies.extend(self.natural_frequencies(&all));
@@ -185,7 +228,7 @@ impl<F: Float> System<F> {
                 self.follower(start, longest)?,
             );
         }
-        let period = forced::common_period(&self.assembly.frequencies)?;
+        let period = forced::common_period(&frequencies)?;
         // The longest own vibration, free or with all elements at rest.
         let slowest = || {
             let all: Vec<usize> = (0..self.assembly.parts.len()).collect();

@@ -34,11 +34,11 @@ pub(crate) fn run(args: &SystemArgs, out: &mut impl Write) -> Outcome {
     if is_table(args) {
         return table::run(&value, args, out);
     }
-    let (asked, read) = named(&value, args)?;
+    let (mut asked, read) = named(&value, args)?;
     match args.question {
         SystemQuestion::Describe => describe(&asked, args, out),
         SystemQuestion::Steady => steady(&asked, args, out),
-        SystemQuestion::Simulate | SystemQuestion::Record => simulate(&asked, read.as_ref(), args, out),
+        SystemQuestion::Simulate | SystemQuestion::Record => simulate(&mut asked, read.as_ref(), args, out),
         SystemQuestion::Border => border(&asked, args, out),
         SystemQuestion::Curve | SystemQuestion::Spectrum => Ok(()),
     }
@@ -179,13 +179,18 @@ fn is_json(args: &SystemArgs) -> Result<bool, Failure> {
     args.format.unwrap_or(Format::Text).is_json("system")
 }
 
-/// The end of the motion: `--until`, or the end of the records.
-fn until(asked: &NamedSystem, args: &SystemArgs) -> Result<f64, Failure> {
+/// The end of the motion: `--until`, a time or a value that is passed, or the end of the records.
+fn until(asked: &mut NamedSystem, args: &SystemArgs) -> Result<f64, Failure> {
     let Some(text) = &args.until else {
         let end = asked.end_of_records();
         asked.check_until(end, &format!("end of the records {}", crate::bits::digits(end)))?;
         return Ok(end);
     };
+    if text.contains('=') {
+        let until = asked.until_level(text).map_err(|e| format!("--until {e}"))?;
+        asked.system = asked.system.clone().while_allowed(interrupt::keep_going);
+        return Ok(until);
+    }
     let until: f64 = asked.reader().value("--until", text, Of::Time)?;
     asked.check_until(until, &format!("--until {text}"))?;
     Ok(until)
@@ -201,8 +206,14 @@ fn samples(asked: &NamedSystem, args: &SystemArgs, until: f64) -> Result<Option<
     Ok(Some((0..=count).map(|i| until * (i as f64 / count as f64)).collect()))
 }
 
-fn simulate(asked: &NamedSystem, read: Option<&Shaking>, args: &SystemArgs, out: &mut impl Write) -> Outcome {
-    let (start, until) = (&asked.described.start, until(asked, args)?);
+fn simulate(
+    asked: &mut NamedSystem,
+    read: Option<&Shaking>,
+    args: &SystemArgs,
+    out: &mut impl Write,
+) -> Outcome {
+    let until = until(asked, args)?;
+    let (asked, start) = (&*asked, &asked.described.start);
     if let Some(times) = samples(asked, args, until)? {
         return sampled(asked, args, start, &times, out);
     }

@@ -12,6 +12,7 @@ mod grid;
 mod named;
 mod node;
 mod sentence;
+mod signals;
 mod unique;
 
 pub use answer::{Answer, OfBorder, Samples, Units, kind_of};

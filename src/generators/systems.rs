@@ -3,7 +3,7 @@
 //! earlier one, or a sum of two.
 
 use super::ordinary;
-use crate::system::{Element, Harmonic, Kind, Law, Model, Normal, Record, Signal, State};
+use crate::system::{Beyond, Element, Harmonic, Kind, Law, Model, Normal, Record, Signal, State};
 use alloc::vec;
 use alloc::vec::Vec;
 use arbitrary::{Arbitrary, Result, Unstructured};
@@ -80,7 +80,11 @@ impl Numbers<'_, '_> {
 
     fn signal(&mut self, constant: f64, waves: usize, size: f64) -> Result<Signal<f64>> {
         let count = self.u.int_in_range(0..=waves)?;
-        Ok(Signal { constant, sin: self.list(count, -size, size)?, cos: self.list(count, -size, size)? })
+        Ok(Signal {
+            sin: self.list(count, -size, size)?,
+            cos: self.list(count, -size, size)?,
+            ..Signal::constant(constant)
+        })
     }
 
     fn element(&mut self, n: usize, waves: usize, before: &[Element<f64>]) -> Result<Element<f64>> {
@@ -89,7 +93,9 @@ impl Numbers<'_, '_> {
         let peak = if self.one_in(2)? { 1.0 } else { self.within(1.0, 2.0)? };
         let mut moves = Signal::constant(0.0);
         let kind = match self.u.int_in_range(0..=7_u8)? {
-            0 => Kind::Elastic { stiffness: self.within(1.0, 60.0)?, friction: friction + 0.125 },
+            0 => {
+                Kind::Elastic { stiffness: self.within(1.0, 60.0)?, friction: friction + 0.125, normal: None }
+            }
             1 => {
                 moves = self.signal(0.0, waves, 0.2)?;
                 let gap = self.within(-0.125, 1.0)?;
@@ -104,7 +110,7 @@ impl Numbers<'_, '_> {
             3 => {
                 let signal = self.signal(1.0, waves, 0.75)?;
                 let displacement = if self.one_in(2)? { Vec::new() } else { self.list(n, -0.25, 0.25)? };
-                let normal = Some(Normal { signal, displacement });
+                let normal = Some(Normal { signal, displacement, velocity: Vec::new() });
                 Kind::Contact { law: Law::constant(friction), peak, normal }
             }
             4 => {
@@ -163,7 +169,7 @@ impl<'a> Arbitrary<'a> for Structure {
             let step = numbers.within(0.25, 1.25)?;
             let times = (0..count).map(|k| step * f64::from(u32::try_from(k).unwrap_or(0))).collect();
             let (values, force) = (numbers.list(count, -1.0, 1.0)?, numbers.list(n, -1.0, 1.0)?);
-            records.push(Record { times, values, force });
+            records.push(Record { times, values, force, beyond: Beyond::Zero });
         }
         let count = numbers.u.int_in_range(1..=5_usize)?;
         let mut elements: Vec<Element<f64>> = Vec::new();
@@ -179,7 +185,17 @@ impl<'a> Arbitrary<'a> for Structure {
             start.velocity = numbers.list(n, -1.0, 1.0)?;
         }
         let until = numbers.within(2.0, 12.0)?;
-        let model = Model { mass, damping, stiffness, elements, constant, harmonics, records };
+        let model = Model {
+            mass,
+            damping,
+            stiffness,
+            elements,
+            constant,
+            harmonics,
+            records,
+            moved: Vec::new(),
+            levels: Vec::new(),
+        };
         Ok(Self { model, start, until })
     }
 }

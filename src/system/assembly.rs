@@ -6,7 +6,7 @@
 use super::dependent::{rank, too_many};
 use super::error::Error;
 use super::matrix::{Matrix, add_times};
-use super::model::{Base, Element, Kind, Law, Model, Record, Signal};
+use super::model::{Base, Element, Kind, Law, Model, Moved, MovedBy, Normal, Record, Signal};
 use crate::float::Float;
 use crate::machine::error::written;
 use alloc::format;
@@ -28,8 +28,8 @@ pub(crate) struct Piece<F> {
 pub(crate) enum Rule<F> {
     /// `normal` is the row of N; without it N = 1.
     Contact { pieces: Vec<Piece<F>>, peak: F, normal: Option<Vec<F>> },
-    /// `place` is the force's place in the state.
-    Elastic { stiffness: F, friction: F, place: usize },
+    /// `place` is the force's place in the state; `bound` the row of friction N.
+    Elastic { stiffness: F, place: usize, bound: Vec<F>, normal: Option<Vec<F>> },
     /// `depth` is the row of y − gap.
     Stop { depth: Vec<F>, stiffness: F, damping: F },
 }
@@ -44,11 +44,32 @@ pub(crate) struct Part<F> {
     pub(crate) response: Vec<F>,
     /// The row of v.
     pub(crate) velocity: Vec<F>,
-    /// The row of y; none where the other side travels without end.
+    /// The row of y; none where the other side travels without end, or by a record.
     pub(crate) stretch: Option<Vec<F>>,
-    /// The row of V′.
+    /// The row of V′, less the accelerations that are prescribed to coordinates.
     pub(crate) moves: Vec<F>,
     pub(crate) rule: Rule<F>,
+}
+
+impl<F: Float> Part<F> {
+    /// The row of the normal load, where it varies.
+    pub(crate) fn normal(&self) -> Option<&[F]> {
+        match &self.rule {
+            Rule::Contact { normal, .. } | Rule::Elastic { normal, .. } => normal.as_deref(),
+            Rule::Stop { .. } => None,
+        }
+    }
+}
+
+/// A coordinate whose motion is prescribed.
+#[derive(Debug, Clone)]
+pub(crate) struct Driven<F> {
+    pub(crate) coordinate: usize,
+    /// The rows of its displacement and its velocity, where they are prescribed.
+    pub(crate) displacement: Option<Vec<F>>,
+    pub(crate) velocity: Option<Vec<F>>,
+    /// The row of its acceleration between the samples of records.
+    pub(crate) acceleration: Vec<F>,
 }
 
 /// A checked system.
@@ -75,8 +96,11 @@ pub(crate) struct Assembly<F> {
     pub(crate) is_dependent: bool,
     pub(crate) frequencies: Vec<F>,
     pub(crate) records: Vec<Record<F>>,
-    /// All instants at which a record has a sample, in order.
-    pub(crate) instants: Vec<F>,
+    pub(crate) moved: Vec<Driven<F>>,
+    /// The rows of the quantities of the levels, less their values.
+    pub(crate) levels: Vec<Vec<F>>,
+    /// Whether a sample of a record may change a velocity at once.
+    pub(crate) jerks: bool,
     /// The row of the base's acceleration at each coordinate; none without a base.
     pub(crate) base: Vec<Vec<F>>,
     /// Whether motions are followed further.
@@ -93,9 +117,7 @@ impl<F: Float> Assembly<F> {
         let mass = square("mass", &model.mass, n, true)?;
         let damping = square("damping", &model.damping, n, false)?;
         let stiffness = square("stiffness", &model.stiffness, n, false)?;
-        let inverse_mass = mass
-            .inverse_of_definite()
-            .map_err(|(row, value)| Error::NotDefinite { row: row + 1, value: written(value) })?;
+        let inverse_mass = inverse(&mass, &model.moved)?;
         let elastic = model.elements.iter().filter(|e| matches!(e.kind, Kind::Elastic { .. })).count();
         let free = 2 * n + elastic;
         let inputs = free + 2 * model.harmonics.len();
@@ -119,9 +141,6 @@ impl<F: Float> Assembly<F> {
             let velocities = force.row_mut(i).get_mut(n..2 * n).unwrap_or(&mut []);
             add_times(velocities, F::int(-1), damping.row(i));
         }
-        let mut instants: Vec<F> = model.records.iter().flat_map(|r| r.times.iter().copied()).collect();
-        instants.sort_by(|a, b| a.partial_cmp(b).unwrap_or(core::cmp::Ordering::Equal));
-        instants.dedup_by(|a, b| a == b);
         let mut assembly = Self {
             n,
             size,
@@ -137,16 +156,43 @@ impl<F: Float> Assembly<F> {
             is_dependent: false,
             frequencies: model.harmonics.iter().map(|h| h.frequency).collect(),
             records: model.records.clone(),
-            instants,
+            moved: Vec::new(),
+            levels: Vec::new(),
+            jerks: false,
             base: Vec::new(),
             keep_going: || ControlFlow::Continue(()),
         };
+        for (i, level) in model.levels.iter().enumerate() {
+            let name = if level.name.is_empty() { self::place("levels", i) } else { level.name.clone() };
+            let mut row = vec![F::int(0); size];
+            add_times(
+                &mut row,
+                F::int(1),
+                &padded(&format!("{name}: displacement"), &level.displacement, n)?,
+            );
+            let velocity = padded(&format!("{name}: velocity"), &level.velocity, n)?;
+            add_times(row.get_mut(n..).unwrap_or(&mut []), F::int(1), &velocity);
+            if let Some(last) = row.last_mut() {
+                *last = -finite(&format!("{name}: value"), level.value)?;
+            }
+            assembly.levels.push(row);
+        }
+        for (i, moved) in model.moved.iter().enumerate() {
+            let driven = assembly.driven(&self::place("moved", i), moved)?;
+            assembly.moved.push(driven);
+        }
         let mut place = 2 * n;
         for (i, element) in model.elements.iter().enumerate() {
             let part = assembly.part(element, i, place)?;
             place += usize::from(matches!(part.rule, Rule::Elastic { .. }));
             assembly.parts.push(part);
         }
+        let by_records = |row: &[F]| {
+            let places = assembly.record(0)..size - 1;
+            row.get(places).is_some_and(|row| row.iter().any(|&x| x != F::int(0)))
+        };
+        assembly.jerks = assembly.parts.iter().any(|part| by_records(&part.velocity))
+            || assembly.moved.iter().any(|moved| moved.velocity.as_deref().is_some_and(by_records));
         let count = assembly.parts.len();
         let mut coupling = Matrix::zero(count, count);
         for (i, a) in assembly.parts.iter().enumerate() {
@@ -175,17 +221,7 @@ impl<F: Float> Assembly<F> {
     /// The rows of `influence · acceleration` of a base.
     pub(crate) fn rows_of_base(&self, base: &Base<F>) -> Result<Vec<Vec<F>>, Error> {
         let influence = vector("base: influence", &base.influence, self.n)?;
-        let mut row = self.signal("base: acceleration", &base.acceleration)?;
-        let (found, expected) = (base.records.len(), self.records.len());
-        if found > expected {
-            return Err(Error::Length { name: "base: records".to_string(), found, expected });
-        }
-        for (i, &factor) in base.records.iter().enumerate() {
-            let factor = finite(&place("base: records", i), factor)?;
-            if let Some(place) = row.get_mut(self.record(i)) {
-                *place = factor;
-            }
-        }
+        let row = self.signal("base: acceleration", &base.acceleration)?;
         Ok(influence.iter().map(|&by| row.iter().map(|&x| x * by).collect()).collect())
     }
 
@@ -196,6 +232,13 @@ impl<F: Float> Assembly<F> {
             elements.iter().enumerate().for_each(|(b, &j)| matrix.set(a, b, self.coupling.at(i, j)));
         }
         matrix
+    }
+
+    /// The greatest size of each state that is a given function of time.
+    pub(crate) fn reach(&self) -> Vec<F> {
+        let waves = self.frequencies.iter().flat_map(|_| [F::int(1); 2]);
+        let records = self.records.iter().flat_map(|record| <[F; 2]>::from(record.reach()));
+        waves.chain(records).chain([F::int(1)]).collect()
     }
 
     /// The place of sin ωt of a harmonic; that of cos ωt is the next.
@@ -214,14 +257,19 @@ impl<F: Float> Assembly<F> {
         if let Some(last) = row.last_mut() {
             *last = finite(&format!("{name}.constant"), signal.constant)?;
         }
-        for (list, word, offset) in [(&signal.sin, "sin", 0), (&signal.cos, "cos", 1)] {
-            let expected = self.frequencies.len();
+        let (waves, records) = (self.frequencies.len(), self.records.len());
+        for (list, word, expected, first) in [
+            (&signal.sin, "sin", waves, self.harmonic(0)),
+            (&signal.cos, "cos", waves, self.harmonic(0) + 1),
+            (&signal.records, "records", records, self.record(0)),
+            (&signal.rates, "rates", records, self.record(0) + 1),
+        ] {
             if list.len() > expected {
                 return Err(Error::Length { name: format!("{name}.{word}"), found: list.len(), expected });
             }
             for (i, &x) in list.iter().enumerate() {
                 let x = finite(&place(&format!("{name}.{word}"), i), x)?;
-                if let Some(place) = row.get_mut(self.harmonic(i) + offset) {
+                if let Some(place) = row.get_mut(first + 2 * i) {
                     *place = x;
                 }
             }
@@ -229,8 +277,8 @@ impl<F: Float> Assembly<F> {
         Ok(row)
     }
 
-    /// The row of a signal's derivative.
-    fn derivative(&self, row: &[F]) -> Vec<F> {
+    /// The row of a signal's derivative between the samples of records.
+    pub(crate) fn derivative(&self, row: &[F]) -> Vec<F> {
         let mut result = vec![F::int(0); self.size];
         for (i, &frequency) in self.frequencies.iter().enumerate() {
             let place = self.harmonic(i);
@@ -241,7 +289,62 @@ impl<F: Float> Assembly<F> {
                 }
             }
         }
+        for i in 0..self.records.len() {
+            let place = self.record(i);
+            if let (Some(result), Some(&by)) = (result.get_mut(place + 1), row.get(place)) {
+                *result = by;
+            }
+        }
         result
+    }
+
+    /// The rows of a coordinate that is moved.
+    fn driven(&self, name: &str, moved: &Moved<F>) -> Result<Driven<F>, Error> {
+        let unsupported = |name: String, condition| Err(Error::Unsupported { name, condition });
+        if moved.coordinate >= self.n || self.moved.iter().any(|other| other.coordinate == moved.coordinate) {
+            return unsupported(format!("{name}.coordinate"), "must be another one of the coordinates");
+        }
+        if moved.signal.rates.iter().any(|&by| by != F::int(0)) {
+            return unsupported(format!("{name}.signal.rates"), "must be empty: prescribe another quantity");
+        }
+        let row = self.signal(&format!("{name}.signal"), &moved.signal)?;
+        let (first, coordinate) = (self.derivative(&row), moved.coordinate);
+        Ok(match moved.by {
+            MovedBy::Displacement => {
+                let acceleration = self.derivative(&first);
+                Driven { coordinate, displacement: Some(row), velocity: Some(first), acceleration }
+            }
+            MovedBy::Velocity => {
+                Driven { coordinate, displacement: None, velocity: Some(row), acceleration: first }
+            }
+            MovedBy::Acceleration => {
+                Driven { coordinate, displacement: None, velocity: None, acceleration: row }
+            }
+        })
+    }
+
+    /// The row of a normal load.
+    fn normal(&self, name: &str, normal: &Normal<F>) -> Result<Vec<F>, Error> {
+        let name = format!("{name}: normal");
+        let signal = &normal.signal;
+        let mut row = self.signal(&name, signal)?;
+        let is_used = |list: &[F], i: usize| list.get(i).is_some_and(|&by| by != F::int(0));
+        let jumps =
+            self.records.iter().enumerate().any(|(i, record)| {
+                is_used(&signal.rates, i) || (is_used(&signal.records, i) && record.jumps())
+            });
+        if jumps {
+            return Err(Error::Unsupported {
+                name,
+                condition: "must not change at once: the friction would, too. Give a steep straight line between the values",
+            });
+        }
+        let n = self.n;
+        let displacement = padded(&format!("{name}.displacement"), &normal.displacement, n)?;
+        let velocity = padded(&format!("{name}.velocity"), &normal.velocity, n)?;
+        add_times(&mut row, F::int(1), &displacement);
+        add_times(row.get_mut(n..).unwrap_or(&mut []), F::int(1), &velocity);
+        Ok(row)
     }
 
     /// The row of `y = b·q − Y`, where `Y = ∫V` of waves is `−(s/ω) cos ωt + (c/ω) sin ωt`.
@@ -274,38 +377,35 @@ impl<F: Float> Assembly<F> {
         let moving = self.signal(&format!("{name}: moves"), &element.moves)?;
         let mut velocity: Vec<F> = moving.iter().map(|&x| -x).collect();
         add_times(velocity.get_mut(n..).unwrap_or(&mut []), F::int(1), &direction);
-        let stretch = (element.moves.constant == zero).then(|| self.stretch(&direction, &moving));
+        let travels = moving.iter().skip(self.record(0)).any(|&x| x != zero);
+        let stretch = (!travels).then(|| self.stretch(&direction, &moving));
         let rule = match &element.kind {
             Kind::Contact { law, peak, normal } => {
                 let pieces = pieces(&name, law)?;
                 let peak = at_least(&format!("{name}: peak"), *peak, F::int(1))?;
-                let normal = normal
-                    .as_ref()
-                    .map(|normal| {
-                        if law.points.len() > 1 {
-                            return Err(Error::Unsupported {
-                                name: format!("{name}: law"),
-                                condition: "must have one point where the normal load varies",
-                            });
-                        }
-                        let mut row = self.signal(&format!("{name}: normal"), &normal.signal)?;
-                        let by = padded(&format!("{name}: normal.displacement"), &normal.displacement, n)?;
-                        add_times(&mut row, F::int(1), &by);
-                        Ok(row)
-                    })
-                    .transpose()?;
+                if normal.is_some() && law.points.len() > 1 {
+                    return Err(Error::Unsupported {
+                        name: format!("{name}: law"),
+                        condition: "must have one point where the normal load varies: the product of a load and of a friction that \
+                                    both change is not linear. Give one coefficient, or a constant normal load",
+                    });
+                }
+                let normal = normal.as_ref().map(|normal| self.normal(&name, normal)).transpose()?;
                 Rule::Contact { pieces, peak, normal }
             }
-            Kind::Elastic { stiffness, friction } => Rule::Elastic {
-                stiffness: positive(&format!("{name}: stiffness"), *stiffness)?,
-                friction: positive(&format!("{name}: friction"), *friction)?,
-                place,
-            },
+            Kind::Elastic { stiffness, friction, normal } => {
+                let stiffness = positive(&format!("{name}: stiffness"), *stiffness)?;
+                let friction = positive(&format!("{name}: friction"), *friction)?;
+                let normal = normal.as_ref().map(|normal| self.normal(&name, normal)).transpose()?;
+                let mut bound = normal.clone().unwrap_or_else(|| unit(self.size, self.size - 1));
+                bound.iter_mut().for_each(|x| *x = *x * friction);
+                Rule::Elastic { stiffness, place, bound, normal }
+            }
             Kind::Stop { gap, stiffness, damping } => {
                 let Some(mut depth) = stretch.clone() else {
                     return Err(Error::Unsupported {
                         name: format!("{name}: moves.constant"),
-                        condition: "must be 0: a stop does not travel without end",
+                        condition: "must be 0, as the factors of records: the other side of a stop moves by waves",
                     });
                 };
                 if let Some(last) = depth.last_mut() {
@@ -319,8 +419,44 @@ impl<F: Float> Assembly<F> {
             }
         };
         let response = self.inverse_mass.of(&direction);
-        Ok(Part { name, direction, response, velocity, stretch, moves: self.derivative(&moving), rule })
+        let mut moves = self.derivative(&moving);
+        for driven in &self.moved {
+            let by = direction.get(driven.coordinate).copied().unwrap_or(zero);
+            add_times(&mut moves, -by, &driven.acceleration);
+        }
+        Ok(Part { name, direction, response, velocity, stretch, moves, rule })
     }
+}
+
+/// M⁻¹, without the coordinates that are moved: no force accelerates them.
+fn inverse<F: Float>(mass: &Matrix<F>, moved: &[Moved<F>]) -> Result<Matrix<F>, Error> {
+    let n = mass.columns();
+    let mut definite = mass.clone();
+    let places = || moved.iter().map(|moved| moved.coordinate).filter(|&i| i < n);
+    for i in places() {
+        if mass.row(i).iter().enumerate().any(|(j, &x)| j != i && x != F::int(0)) {
+            return Err(Error::Unsupported {
+                name: place("mass", i),
+                condition: "must have no entry beside the diagonal, because the coordinate is moved",
+            });
+        }
+        at_least(&place("mass", i), mass.at(i, i), F::int(0))?;
+        definite.set(i, i, F::int(1));
+    }
+    let mut inverse = definite
+        .inverse_of_definite()
+        .map_err(|(row, value)| Error::NotDefinite { row: row + 1, value: written(value) })?;
+    places().for_each(|i| inverse.set(i, i, F::int(0)));
+    Ok(inverse)
+}
+
+/// A row with 1 at a place.
+pub(crate) fn unit<F: Float>(size: usize, place: usize) -> Vec<F> {
+    let mut row = vec![F::int(0); size];
+    if let Some(one) = row.get_mut(place) {
+        *one = F::int(1);
+    }
+    row
 }
 
 /// The straight pieces of a law.

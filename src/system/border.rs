@@ -109,6 +109,9 @@ impl<F: Float> Friction<F> {
         let [frequency] = given.frequencies.as_slice() else {
             return Err(unsupported("harmonics", "must be one: the closed form is that of one"));
         };
+        if !given.moved.is_empty() {
+            return Err(unsupported("moved", "must be absent: the closed form is that of a harmonic load"));
+        }
         if !given.records.is_empty() {
             return Err(unsupported("records", "must be absent: the closed form is that of a harmonic load"));
         }

@@ -221,7 +221,7 @@ impl<F: Float> Branch<F> {
     where
         F: 'b,
     {
-        let Equation { a, tension, stuck } = Equation::new(system, modes);
+        let Equation { a, tension, stuck, slips } = Equation::new(system, modes);
         let degree = degree_of_full_accuracy::<F>();
         let transposed = a.transposed();
         // As where a contact slides the other way.
@@ -235,7 +235,7 @@ impl<F: Float> Branch<F> {
             |other| (other.step, other.bound.clone()),
         );
         let powers = Series { transposed: &transposed, step, bound: &bound, degree };
-        let mut guards = guards(system, modes, &tension);
+        let mut guards = guards(system, modes, &tension, slips);
         guards.extend(releases(system, &stuck, &tension));
         let mut low = Vec::with_capacity(guards.len());
         let mut all = Vec::with_capacity(guards.len());
@@ -358,7 +358,12 @@ pub(crate) fn polynomial<F: Float>(row: &[F], terms: &[F]) -> Vec<F> {
 }
 
 /// The guards of a branch: rows that are positive as long as it lasts.
-fn guards<F: Float>(system: &Assembly<F>, modes: &[Mode], tension: &[Vec<F>]) -> Vec<Guard<F>> {
+fn guards<F: Float>(
+    system: &Assembly<F>,
+    modes: &[Mode],
+    tension: &[Vec<F>],
+    slips: Vec<Vec<F>>,
+) -> Vec<Guard<F>> {
     let mut guards: Vec<Guard<F>> = Vec::new();
     let mut add = |element: usize, trigger: Trigger, row: Vec<F>| {
         guards.push(Guard::new(element, trigger, row, Vec::new()));
@@ -371,7 +376,8 @@ fn guards<F: Float>(system: &Assembly<F>, modes: &[Mode], tension: &[Vec<F>]) ->
         row
     };
     let one = F::int(1);
-    for (i, ((part, mode), tension)) in system.parts.iter().zip(modes).zip(tension).enumerate() {
+    let elements = system.parts.iter().zip(modes).zip(tension).zip(slips);
+    for (i, (((part, mode), tension), slip)) in elements.enumerate() {
         match (*mode, &part.rule) {
             (Mode::Slides { forward, piece }, Rule::Contact { pieces, .. }) => {
                 let speed = times(&part.velocity, sign(forward));
@@ -387,12 +393,11 @@ fn guards<F: Float>(system: &Assembly<F>, modes: &[Mode], tension: &[Vec<F>]) ->
                     add(i, Trigger::Piece(piece + 1), plus(times(&speed, -one), high));
                 }
             }
-            (Mode::Yields { forward }, Rule::Elastic { .. }) => {
-                add(i, Trigger::Stops, times(&part.velocity, sign(forward)));
-            }
-            (Mode::Holds, Rule::Elastic { friction, .. }) => {
+            (Mode::Yields { .. }, Rule::Elastic { .. }) => add(i, Trigger::Stops, slip),
+            (Mode::Holds, Rule::Elastic { bound, .. }) => {
                 for forward in [true, false] {
-                    let row = plus(times(tension, -sign::<F>(forward)), *friction);
+                    let mut row = times(tension, -sign::<F>(forward));
+                    add_times(&mut row, one, bound);
                     add(i, Trigger::Releases { forward }, row);
                 }
             }
@@ -404,7 +409,7 @@ fn guards<F: Float>(system: &Assembly<F>, modes: &[Mode], tension: &[Vec<F>]) ->
             }
             _ => {}
         }
-        if let Rule::Contact { normal: Some(normal), .. } = &part.rule
+        if let Some(normal) = part.normal()
             && normal.iter().rev().skip(1).any(|&x| x != F::int(0))
         {
             let apart = *mode == Mode::Apart;
@@ -426,9 +431,12 @@ fn corner<F: Float>(system: &Assembly<F>, modes: &[Mode], guard: &Guard<F>) -> O
     }
 }
 
-/// The bound of a contact at rest as a row: peak r(0) N.
+/// The bound of a contact at rest as a row: peak r(0) N; of an elastic one r N.
 pub(crate) fn static_bound<F: Float>(part: &Part<F>) -> Vec<F> {
     let mut row = vec![F::int(0); part.velocity.len()];
+    if let Rule::Elastic { bound, .. } = &part.rule {
+        row.clone_from(bound);
+    }
     if let Rule::Contact { peak, normal, pieces } = &part.rule {
         let force = pieces.first().map_or(F::int(0), |p| p.force) * *peak;
         match normal {

@@ -5,7 +5,7 @@
 //! from `q + U s` is that from q, moved by U s. The period map P has the same symmetry, `P(q + U s, …) = P(q, …) + U s`, and
 //! its limit lives in the quotient: the part of `P(z) − z` in U is the **drift**.
 
-use super::assembly::{Assembly, Rule};
+use super::assembly::{Assembly, Driven, Rule, unit};
 use super::matrix::{Matrix, add_times, dot, size_of_dot};
 use crate::float::Float;
 use alloc::vec;
@@ -21,6 +21,8 @@ struct Way<F> {
 /// The displacements that no force notices.
 pub(crate) struct Drift<F> {
     ways: Vec<Way<F>>,
+    /// How many of them, the first ones, are measured by a coordinate that travels.
+    carried: usize,
 }
 
 impl<F: Float> Drift<F> {
@@ -29,14 +31,19 @@ impl<F: Float> Drift<F> {
         let mut noticed: Vec<Vec<F>> = system.stiffness.rows().map(<[F]>::to_vec).collect();
         for part in &system.parts {
             let row = match &part.rule {
-                Rule::Stop { depth, .. } => Some(depth),
-                Rule::Contact { normal, .. } => normal.as_ref(),
-                Rule::Elastic { .. } => None,
+                Rule::Stop { depth, .. } => Some(depth.as_slice()),
+                Rule::Contact { .. } | Rule::Elastic { .. } => part.normal(),
             };
             noticed.extend(row.and_then(|row| row.get(..n)).map(<[F]>::to_vec));
         }
+        // A displacement that is prescribed is noticed; one whose velocity is, is not.
+        let travels = |moved: &&Driven<F>| moved.displacement.is_none() && moved.velocity.is_some();
+        let placed = system.moved.iter().filter(|moved| !travels(moved));
+        noticed.extend(placed.map(|moved| unit(n, moved.coordinate)));
         // In units in which each coordinate has the mass 1, and each row the size 1.
-        let scale: Vec<F> = (0..n).map(|i| F::int(1) / system.mass.at(i, i).sqrt()).collect();
+        let moved = |i: usize| system.moved.iter().any(|moved| moved.coordinate == i);
+        let mass = |i: usize| if moved(i) { F::int(1) } else { system.mass.at(i, i) };
+        let scale: Vec<F> = (0..n).map(|i| F::int(1) / mass(i).sqrt()).collect();
         let mut gram = Matrix::zero(n, n);
         for row in &noticed {
             let row: Vec<F> = row.iter().zip(&scale).map(|(&x, &s)| x * s).collect();
@@ -48,23 +55,60 @@ impl<F: Float> Drift<F> {
         let (values, modes) = gram.symmetric_modes();
         // The values are squares, which are known to rounding; whether a weak spring notices a candidate is seen row by row.
         let none = F::epsilon() * F::int(64);
+        let candidates = values.iter().zip(modes.rows()).filter(|(value, _)| **value <= none);
+        let candidates =
+            candidates.map(|(_, mode)| -> Vec<F> { mode.iter().zip(&scale).map(|(&x, &s)| x * s).collect() });
+        let mut candidates: Vec<Vec<F>> = candidates
+            .filter(|u| {
+                let rounding = |row: &Vec<F>| size_of_dot(row, u) * F::epsilon() * F::int(256);
+                noticed.iter().all(|row| dot(row, u).abs() <= rounding(row))
+            })
+            .collect();
         let mut ways: Vec<Way<F>> = Vec::new();
-        for (_, mode) in values.iter().zip(modes.rows()).filter(|(value, _)| **value <= none) {
-            let mut u: Vec<F> = mode.iter().zip(&scale).map(|(&x, &s)| x * s).collect();
-            let rounding = |row: &Vec<F>| size_of_dot(row, &u) * F::epsilon() * F::int(256);
-            if noticed.iter().any(|row| dot(row, &u).abs() > rounding(row)) {
-                continue;
+        // What travels as it is prescribed measures its way itself.
+        for moved in system.moved.iter().filter(travels) {
+            let at = |u: &Vec<F>| u.get(moved.coordinate).copied().unwrap_or(F::int(0));
+            let far = |u: &Vec<F>| at(u).abs() > size_of_dot(u, u).sqrt() * F::exp2i(-20);
+            let Some(place) = candidates.iter().position(far) else { continue };
+            let u = candidates.swap_remove(place);
+            let one = at(&u);
+            for other in &mut candidates {
+                let share = at(other) / one;
+                add_times(other, -share, &u);
             }
+            let mut dual = unit(n, moved.coordinate);
+            dual.iter_mut().for_each(|x| *x = *x / one);
+            ways.push(Way { u, dual });
+        }
+        let carried = ways.len();
+        for mut u in candidates {
             for way in &ways {
                 let share = dot(&way.dual, &u);
                 add_times(&mut u, -share, &way.u);
             }
-            let dual = system.mass.of(&u);
+            let mut dual = system.mass.of(&u);
+            for way in ways.iter().take(carried) {
+                let share = dot(&dual, &way.u);
+                add_times(&mut dual, -share, &way.dual);
+            }
             let size = dot(&dual, &u).sqrt();
             let [u, dual] = [u, dual].map(|list| list.iter().map(|&x| x / size).collect());
             ways.push(Way { u, dual });
         }
-        Self { ways }
+        Self { ways, carried }
+    }
+
+    /// Whether each coordinate that travels as it is prescribed takes along all that notices its displacement.
+    pub(crate) fn carries(&self, system: &Assembly<F>) -> bool {
+        system.moved.iter().all(|moved| {
+            let row = moved.displacement.as_ref().or(moved.velocity.as_ref());
+            let comes_back =
+                |row: &Vec<F>| row.iter().rev().take(1 + 2 * system.records.len()).all(|&x| x == F::int(0));
+            let measures = |way: &Way<F>| way.dual.get(moved.coordinate).is_some_and(|&x| x != F::int(0));
+            moved.displacement.is_some()
+                || row.is_some_and(comes_back)
+                || (row.is_some() && self.ways.iter().take(self.carried).any(measures))
+        })
     }
 
     /// The number of independent ones.
@@ -119,7 +163,8 @@ impl<F: Float> Natural<F> {
     pub(crate) fn new(system: &Assembly<F>, time: F) -> Self {
         let zero = F::int(0);
         let (n, free) = (system.n, system.free);
-        let size = |row: &[F]| row.get(free..).unwrap_or(&[]).iter().fold(zero, |sum, x| sum + x.abs());
+        let reach = system.reach();
+        let size = |row: &[F]| size_of_dot(row.get(free..).unwrap_or(&[]), &reach);
         let (mut force, mut stiffness, mut speed) = (zero, zero, zero);
         for row in system.stiffness.rows() {
             stiffness = row.iter().fold(stiffness, |most, x| most.or_larger(x.abs()));
@@ -135,14 +180,15 @@ impl<F: Float> Natural<F> {
                     let most = pieces.iter().fold(zero, |most, piece| most.or_larger(piece.force));
                     force = force + most * *peak * load;
                 }
-                Rule::Elastic { stiffness: own, friction, .. } => {
-                    force = force + *friction;
+                Rule::Elastic { stiffness: own, bound, .. } => {
+                    force = force + size(bound);
                     stiffness = stiffness.or_larger(*own);
                 }
                 Rule::Stop { stiffness: own, .. } => stiffness = stiffness.or_larger(*own),
             }
         }
-        let mass = (0..n).map(|i| system.mass.at(i, i));
+        let moved = |i: &usize| system.moved.iter().any(|moved| moved.coordinate == *i);
+        let mass = (0..n).filter(|i| !moved(i)).map(|i| system.mass.at(i, i));
         let mass = mass.reduce(|a, b| if b < a { b } else { a }).unwrap_or(F::int(1));
         let rate = (stiffness / mass).sqrt();
         let displacement = if stiffness > zero { force / stiffness } else { force / mass * time * time };

@@ -1,6 +1,6 @@
 //! The linear equation of a branch, `z′ = A z`, with the forces of all elements, and the greatest rate in it.
 
-use super::assembly::{Assembly, Part, Rule};
+use super::assembly::{Assembly, Part, Rule, unit};
 use super::matrix::{Matrix, Sparse, add_times, entries};
 use crate::float::Float;
 use alloc::vec;
@@ -34,6 +34,8 @@ pub(crate) struct Equation<F> {
     pub(crate) tension: Vec<Vec<F>>,
     /// The contacts that stick.
     pub(crate) stuck: Vec<usize>,
+    /// The row of the velocity of the slider of each elastic contact that yields, in its direction: `s v − (r N)′/k`.
+    pub(crate) slips: Vec<Vec<F>>,
 }
 
 impl<F: Float> Equation<F> {
@@ -76,9 +78,29 @@ impl<F: Float> Equation<F> {
             let row = force.combined(system.inverse_mass.row(i));
             free.row_mut(n + i).copy_from_slice(&row);
         }
-        for (part, mode) in system.parts.iter().zip(modes) {
-            if let (Rule::Elastic { stiffness, place, .. }, Mode::Holds) = (&part.rule, mode) {
-                add_times(free.row_mut(*place), *stiffness, &part.velocity);
+        for driven in &system.moved {
+            free.row_mut(n + driven.coordinate).copy_from_slice(&driven.acceleration);
+        }
+        let mut slips = vec![Vec::new(); modes.len()];
+        for ((part, mode), slip) in system.parts.iter().zip(modes).zip(&mut slips) {
+            let Rule::Elastic { stiffness, place, bound, normal } = &part.rule else { continue };
+            match mode {
+                Mode::Holds => add_times(free.row_mut(*place), *stiffness, &part.velocity),
+                Mode::Yields { forward } => {
+                    *slip = part.velocity.iter().map(|&v| sign::<F>(*forward) * v).collect();
+                    if normal.is_some() {
+                        let mut rate = system.derivative(bound);
+                        for (i, &by) in bound.iter().enumerate().take(2 * n) {
+                            if by != zero {
+                                add_times(&mut rate, by, free.row(i));
+                            }
+                        }
+                        add_times(slip, -F::int(1) / *stiffness, &rate);
+                        add_times(free.row_mut(*place), sign(*forward), &rate);
+                    }
+                }
+                Mode::Stuck | Mode::Slides { .. } | Mode::Apart => {}
+                Mode::Away | Mode::Pressed | Mode::Lifted => {}
             }
         }
         let mut given = vec![Vec::new(); size - system.free];
@@ -97,7 +119,7 @@ impl<F: Float> Equation<F> {
             set(place, place + 1, F::int(1));
         }
         let rows = free.rows().map(entries).chain(given);
-        Self { a: Sparse::new(size, rows), tension, stuck }
+        Self { a: Sparse::new(size, rows), tension, stuck, slips }
     }
 }
 
@@ -111,12 +133,9 @@ pub(crate) fn fastest<F: Float>(system: &Assembly<F>, a: &Sparse<F>) -> F {
 pub(crate) fn given_tension<F: Float>(part: &Part<F>, mode: Mode) -> Option<Vec<F>> {
     match (mode, &part.rule) {
         (Mode::Slides { forward, piece }, _) => Some(sliding(part, forward, piece)),
-        (Mode::Holds | Mode::Yields { .. }, Rule::Elastic { place, .. }) => {
-            let mut row = vec![F::int(0); part.velocity.len()];
-            if let Some(entry) = row.get_mut(*place) {
-                *entry = F::int(1);
-            }
-            Some(row)
+        (Mode::Holds, Rule::Elastic { place, .. }) => Some(unit(part.velocity.len(), *place)),
+        (Mode::Yields { forward }, Rule::Elastic { bound, .. }) => {
+            Some(bound.iter().map(|&x| sign::<F>(forward) * x).collect())
         }
         (Mode::Pressed, _) => Some(pressing(part)),
         _ => None,

@@ -26,6 +26,10 @@ named! {
         Open = "open",
         /// A stop, or a contact's normal load, begins.
         Close = "close",
+        /// The quantity of a level passes its value upwards.
+        Rise = "rise",
+        /// The quantity of a level passes its value downwards.
+        Fall = "fall",
     }
 }
 
@@ -35,7 +39,7 @@ named! {
 pub struct Event<F> {
     /// Its time.
     pub time: F,
-    /// The element's place in the model.
+    /// The element's place in the model; the levels follow the elements.
     pub element: usize,
     /// Its kind.
     pub kind: EventKind,
@@ -47,8 +51,13 @@ pub(crate) trait Watch<F> {
     fn stretch(&mut self, system: &Assembly<F>, stretch: &Stretch<'_, F>);
     /// An event.
     fn event(&mut self, event: Event<F>);
-    /// The branch changes where the guard's row is zero, from `before` with derivative `from` to `to`.
-    fn changes(&mut self, _guard: &[F], _from: &[F], _to: &[F]) {}
+    /// The branch changes where the guard's row is zero, and the derivative of the state from `from` to `to`. Without a guard it changes
+    /// with a sample, or with the event before it.
+    fn changes(&mut self, _guard: Option<&[F]>, _from: &[F], _to: &[F]) {}
+    /// Whether it has seen enough: the motion then ends.
+    fn is_over(&self) -> bool {
+        false
+    }
     /// Whether it needs the changes.
     fn needs_changes(&self) -> bool {
         false
@@ -63,6 +72,8 @@ pub(crate) struct Stretch<'a, F> {
     /// The state at its end.
     pub(crate) to: &'a [F],
     pub(crate) time: F,
+    /// The instant at its start.
+    pub(crate) at: F,
     /// e^{At} over its time, where it is known.
     pub(crate) motion: Option<&'a Propagator<F>>,
 }

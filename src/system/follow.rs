@@ -1,6 +1,6 @@
 //! The motion, from event to event.
 
-use super::assembly::{Assembly, Rule};
+use super::assembly::{Assembly, Part, Rule};
 use super::branch::{Branch, LOW_COUNT, Trigger};
 use super::branches::Branches;
 use super::equation::{Mode, sign};
@@ -35,8 +35,10 @@ pub(crate) struct Follower<'a, F> {
     kept: Kept<F>,
     pub(crate) z: Vec<F>,
     clock: Sum<F>,
-    /// The number of the next sample.
-    sample: usize,
+    /// The instant of the next sample of a record.
+    sample: Option<F>,
+    /// Whether a sample has come after the last step.
+    at_sample: bool,
     /// Events without a step between them.
     instant: usize,
     steps: u64,
@@ -60,6 +62,8 @@ pub(crate) struct Saved<F> {
 
 /// A guard that has reached zero.
 struct Fired {
+    /// Whether it has been below zero since a sample or an event of this instant, instead of falling to it.
+    is_forced: bool,
     element: usize,
     trigger: Trigger,
     /// Contacts that are released with it.
@@ -74,34 +78,22 @@ impl<'a, F: Float> Follower<'a, F> {
         for (place, &x) in z.iter_mut().zip(start.displacement.iter().chain(&start.velocity)) {
             *place = x;
         }
-        let forces = start.force.iter().copied().chain(core::iter::repeat(F::int(0)));
-        for (part, force) in system.parts.iter().zip(forces) {
-            if let Rule::Elastic { place, friction, .. } = part.rule
-                && let Some(place) = z.get_mut(place)
-            {
-                // A state of a motion may be beyond the bound by rounding.
-                if force.abs() > friction * (F::int(1) + F::epsilon() * F::int(1024)) {
-                    return Err(Error::Unsupported {
-                        name: alloc::format!("{}: force of the start {}", part.name, written(force)),
-                        condition: "must not exceed its friction",
-                    });
-                }
-                *place = if force.abs() > friction { friction.with_sign_of(force) } else { force };
-            }
-        }
         if let Some(last) = z.last_mut() {
             *last = F::int(1);
         }
+        let records = system.records.iter().filter(|record| !record.repeats());
+        let samples: usize = records.map(|record| record.times.len()).sum();
         let mut follower = Self {
             system,
             branches: Branches::new(longest),
             kept: Kept::new(),
             z,
             clock: Sum::at(F::int(0)),
-            sample: 0,
+            sample: None,
+            at_sample: false,
             instant: 0,
             steps: 0,
-            most_steps: most_steps(system).saturating_add(4 * system.instants.len() as u64),
+            most_steps: most_steps(system).saturating_add(4 * samples as u64),
             sizes: Vec::new(),
             values: Vec::new(),
             errors: Vec::new(),
@@ -112,6 +104,7 @@ impl<'a, F: Float> Follower<'a, F> {
         debug_assert_eq!(start.displacement.len(), n, "the state has been checked");
         follower.set_phase();
         follower.set_sample();
+        follower.set_forces(&start.force)?;
         follower.begin()?;
         Ok(follower)
     }
@@ -126,10 +119,30 @@ impl<'a, F: Float> Follower<'a, F> {
         self.branches.current()
     }
 
+    /// The forces of the elastic contacts at the start, within their bounds.
+    fn set_forces(&mut self, forces: &[F]) -> Result<(), Error> {
+        for (part, &force) in self.system.parts.iter().zip(forces) {
+            let Rule::Elastic { place, bound, .. } = &part.rule else { continue };
+            let bound = dot(bound, &self.z).or_larger(F::int(0));
+            // A state of a motion may be beyond the bound by rounding.
+            if force.abs() > bound * (F::int(1) + F::epsilon() * F::int(1024)) {
+                return Err(Error::Unsupported {
+                    name: alloc::format!("{}: force of the start {}", part.name, written(force)),
+                    condition: "must not exceed its friction",
+                });
+            }
+            if let Some(place) = self.z.get_mut(*place) {
+                *place = if force.abs() > bound { bound.with_sign_of(force) } else { force };
+            }
+        }
+        Ok(())
+    }
+
     /// Sets the time, for loads that repeat themselves, to 0.
     pub(crate) fn rewind(&mut self) {
         self.clock = Sum::at(F::int(0));
         self.set_phase();
+        self.set_sample();
     }
 
     /// The number of steps since the last call; as many as a motion may have follow.
@@ -182,26 +195,52 @@ impl<'a, F: Float> Follower<'a, F> {
         }
     }
 
-    /// The records after the present time, which may be that of a sample.
+    /// The records from the present time on, which may be that of a sample, with the motions that are prescribed.
     fn set_sample(&mut self) {
-        let instants = &self.system.instants;
-        self.sample = instants.partition_point(|&t| t <= self.time());
-        for (i, record) in self.system.records.iter().enumerate() {
-            let next = record.times.partition_point(|&t| t <= self.time());
-            let pair = next.checked_sub(1).and_then(|k| {
-                let (a, b) = (record.times.get(k)?, record.times.get(next)?);
-                let (p, q) = (record.values.get(k)?, record.values.get(next)?);
-                let slope = (*q - *p) / (*b - *a);
-                Some((*p + slope * (self.time() - *a), slope))
-            });
-            let (value, slope) = pair.unwrap_or((F::int(0), F::int(0)));
-            let place = self.system.record(i);
+        let (system, time) = (self.system, self.time());
+        let earlier = |a: F, b: F| if b < a { b } else { a };
+        self.sample = system.records.iter().filter_map(|record| record.next(time)).reduce(earlier);
+        self.at_sample = true;
+        for (i, record) in system.records.iter().enumerate() {
+            let (value, slope) = record.from(time);
+            let place = system.record(i);
             for (k, x) in [(place, value), (place + 1, slope)] {
                 if let Some(z) = self.z.get_mut(k) {
                     *z = x;
                 }
             }
         }
+        for driven in &system.moved {
+            let places = [driven.coordinate, system.n + driven.coordinate];
+            for (place, row) in places.into_iter().zip([&driven.displacement, &driven.velocity]) {
+                let x = row.as_ref().map(|row| dot(row, &self.z));
+                if let (Some(x), Some(z)) = (x, self.z.get_mut(place)) {
+                    *z = x;
+                }
+            }
+        }
+    }
+
+    /// Passes a sample: a velocity that is prescribed may change at once, and with it the modes of contacts.
+    fn pass_sample(&mut self, watch: &mut impl Watch<F>) -> Result<(), Error> {
+        if !self.system.jerks {
+            self.set_sample();
+            return Ok(());
+        }
+        let speeds =
+            |z: &[F]| -> Vec<F> { self.system.parts.iter().map(|part| dot(&part.velocity, z)).collect() };
+        let before = speeds(&self.z);
+        self.set_sample();
+        let after = speeds(&self.z);
+        let rounding = |part: &Part<F>| size_of_dot(&part.velocity, &self.z) * F::epsilon() * F::int(256);
+        let pairs = before.iter().zip(&after).zip(&self.system.parts);
+        if pairs.into_iter().all(|((&a, &b), part)| (b - a).abs() <= rounding(part)) {
+            return Ok(());
+        }
+        let old = self.branch().map_or_else(Vec::new, |branch| branch.modes.clone());
+        let modes = self.choose()?;
+        self.tell(&old, &modes, &[], watch);
+        Ok(())
     }
 
     /// Whether rounding cannot tell a contact's velocity from zero, by what it could be within a step.
@@ -215,15 +254,20 @@ impl<'a, F: Float> Follower<'a, F> {
     /// Chooses the first branch.
     fn begin(&mut self) -> Result<(), Error> {
         self.kept.clear();
+        self.choose().map(|_| ())
+    }
+
+    /// Chooses the branch by the state alone, and enters it.
+    fn choose(&mut self) -> Result<Vec<Mode>, Error> {
         let mut modes = Vec::with_capacity(self.system.parts.len());
         let mut resting = Vec::new();
         for (i, part) in self.system.parts.iter().enumerate() {
             let v = dot(&part.velocity, &self.z);
             let still = v.abs() <= size_of_dot(&part.velocity, &self.z) * F::epsilon() * F::int(64);
+            let is_apart = part.normal().is_some_and(|row| dot(row, &self.z) < F::int(0));
             modes.push(match &part.rule {
-                Rule::Contact { normal, .. } => {
-                    let load = normal.as_ref().map_or(F::int(1), |row| dot(row, &self.z));
-                    if load < F::int(0) {
+                Rule::Contact { .. } => {
+                    if is_apart {
                         Mode::Apart
                     } else if still {
                         resting.push(i);
@@ -232,19 +276,22 @@ impl<'a, F: Float> Follower<'a, F> {
                         slides(&part.rule, v)
                     }
                 }
-                Rule::Elastic { friction, place, .. } => {
+                Rule::Elastic { place, bound, .. } => {
                     let force = self.z.get(*place).copied().unwrap_or(F::int(0));
-                    let forward = force > F::int(0);
+                    let (forward, most) = (force > F::int(0), dot(bound, &self.z));
                     // Within rounding of its friction it is there.
-                    let full = *friction * (F::int(1) - F::epsilon() * F::int(64));
-                    if force.abs() >= full && sign::<F>(forward) * v > F::int(0) {
-                        if let Some(force) = self.z.get_mut(*place) {
-                            *force = sign::<F>(forward) * *friction;
-                        }
-                        Mode::Yields { forward }
+                    let full = most * (F::int(1) - F::epsilon() * F::int(64));
+                    let (mode, force) = if is_apart {
+                        (Mode::Apart, F::int(0))
+                    } else if force.abs() >= full && sign::<F>(forward) * v > F::int(0) {
+                        (Mode::Yields { forward }, sign::<F>(forward) * most)
                     } else {
-                        Mode::Holds
+                        (Mode::Holds, force)
+                    };
+                    if let Some(place) = self.z.get_mut(*place) {
+                        *place = force;
                     }
+                    mode
                 }
                 Rule::Stop { depth, stiffness, damping } => {
                     let deep = dot(depth, &self.z);
@@ -279,7 +326,16 @@ impl<'a, F: Float> Follower<'a, F> {
             self.settle(&mut modes, resting, &[], true)?;
             self.enter(&modes);
         }
-        Ok(())
+        Ok(modes)
+    }
+
+    /// Tells the events that lead from some modes to others.
+    fn tell(&self, old: &[Mode], new: &[Mode], touched: &[usize], watch: &mut impl Watch<F>) {
+        for (element, (old, new)) in old.iter().zip(new).enumerate() {
+            if let Some(kind) = kind_of(*old, *new, touched.contains(&element)) {
+                watch.event(Event { time: self.time(), element, kind });
+            }
+        }
     }
 
     /// Decides the contacts at rest, and takes their velocities out. `released` are those whose force has just reached its
@@ -335,7 +391,7 @@ impl<'a, F: Float> Follower<'a, F> {
     pub(crate) fn run(&mut self, until: F, watch: &mut impl Watch<F>) -> Result<(), Error> {
         let zero = F::int(0);
         loop {
-            let sample = self.system.instants.get(self.sample).copied().filter(|&t| t < until);
+            let sample = self.sample.filter(|&t| t < until);
             let end = sample.unwrap_or(until);
             let rest = end - self.clock.value - self.clock.late;
             if rest <= zero {
@@ -343,7 +399,7 @@ impl<'a, F: Float> Follower<'a, F> {
                     return Ok(());
                 }
                 self.clock = Sum::at(end);
-                self.set_sample();
+                self.pass_sample(watch)?;
                 continue;
             }
             self.steps += 1;
@@ -354,11 +410,14 @@ impl<'a, F: Float> Follower<'a, F> {
                 return Err(Error::Interrupted);
             }
             let fired = self.step(rest, end, watch)?;
+            if watch.is_over() {
+                return Ok(());
+            }
             if !fired.is_empty() {
                 self.pass(&fired, watch)?;
             } else if self.time() >= end {
                 if sample.is_some() {
-                    self.set_sample();
+                    self.pass_sample(watch)?;
                 } else {
                     return Ok(());
                 }
@@ -414,9 +473,13 @@ impl<'a, F: Float> Follower<'a, F> {
         if !self.after.iter().all(|x| x.is_finite()) {
             return Err(Error::Unbounded { time: written(self.time()) });
         }
+        // An element that a sample, or an event of this instant, has put beyond its guard.
+        let is_forced = lasted <= F::int(0) && (self.at_sample || self.instant > 0);
         if lasted > F::int(0) {
+            self.at_sample = false;
             let (from, to) = (&self.z, &self.after);
-            watch.stretch(system, &Stretch { branch, from, to, time: lasted, motion });
+            let at = self.clock.value;
+            watch.stretch(system, &Stretch { branch, from, to, time: lasted, at, motion });
         }
         if lasted > branch.step * F::exp2i(-24) {
             self.instant = 0;
@@ -429,11 +492,11 @@ impl<'a, F: Float> Follower<'a, F> {
             self.clock.add(lasted);
         }
         let Some((_, number)) = event else { return Ok(Vec::new()) };
-        Ok(self.fired(number))
+        Ok(self.fired(number, is_forced))
     }
 
     /// The guards that are zero now: the one found, and those that rounding cannot tell from it.
-    fn fired(&self, number: usize) -> Vec<Fired> {
+    fn fired(&self, number: usize, is_forced: bool) -> Vec<Fired> {
         let Some(branch) = self.branch() else { return Vec::new() };
         let (sizes, slopes) = (absolute(&self.z), branch.derivative(&self.z));
         let mut fired = Vec::new();
@@ -445,7 +508,7 @@ impl<'a, F: Float> Follower<'a, F> {
             // A velocity that has just begun is zero, too.
             if k == 0 || (value <= doubt && slope * branch.step < -doubt) {
                 let (element, trigger, others) = (guard.element, guard.trigger, guard.others.clone());
-                fired.push(Fired { element, trigger, others });
+                fired.push(Fired { is_forced, element, trigger, others });
             }
         }
         fired
@@ -456,18 +519,21 @@ impl<'a, F: Float> Follower<'a, F> {
         let system = self.system;
         let Some(branch) = self.branch() else { return Ok(()) };
         let before = branch.modes.clone();
+        let meets = fired.iter().any(|f| f.trigger == Trigger::Meets);
+        let rate = if meets { branch.derivative(&self.z) } else { Vec::new() };
         let row = |f: &Fired| branch.guards.iter().find(|g| g.element == f.element && g.trigger == f.trigger);
         let change = watch
             .needs_changes()
-            .then(|| fired.first().and_then(row).map(|g| (g.row.clone(), branch.derivative(&self.z))))
-            .flatten();
+            .then(|| fired.first().and_then(|f| row(f).map(|guard| (f, guard))))
+            .flatten()
+            .map(|(f, guard)| ((!f.is_forced).then(|| guard.row.clone()), branch.derivative(&self.z)));
         self.instant += 1;
         if self.instant > 16 + 8 * system.parts.len() {
             return Err(self.undecided(fired.first().map_or(0, |f| f.element)));
         }
         let mut modes = before.clone();
         let (mut touched, mut released) = (Vec::new(), Vec::new());
-        for Fired { element, trigger, others } in fired {
+        for Fired { element, trigger, others, .. } in fired {
             let (Some(part), Some(mode)) = (system.parts.get(*element), modes.get_mut(*element)) else {
                 continue;
             };
@@ -476,15 +542,24 @@ impl<'a, F: Float> Follower<'a, F> {
                     touched.push(*element);
                     *mode = Mode::Stuck;
                 }
-                (Trigger::Stops, _) => *mode = Mode::Holds,
+                (Trigger::Stops, rule) => {
+                    if let (Rule::Elastic { place, bound, .. }, Mode::Yields { forward }) = (rule, *mode) {
+                        let force = sign::<F>(forward) * dot(bound, &self.z);
+                        if let Some(place) = self.z.get_mut(*place) {
+                            *place = force;
+                        }
+                    }
+                    *mode = Mode::Holds;
+                }
                 (Trigger::Piece(piece), _) => {
                     if let Mode::Slides { forward, .. } = *mode {
                         *mode = Mode::Slides { forward, piece };
                     }
                 }
-                (Trigger::Releases { forward }, Rule::Elastic { friction, place, .. }) => {
-                    if let Some(force) = self.z.get_mut(*place) {
-                        *force = sign::<F>(forward) * *friction;
+                (Trigger::Releases { forward }, Rule::Elastic { place, bound, .. }) => {
+                    let force = sign::<F>(forward) * dot(bound, &self.z);
+                    if let Some(place) = self.z.get_mut(*place) {
+                        *place = force;
                     }
                     *mode = Mode::Yields { forward };
                 }
@@ -492,7 +567,20 @@ impl<'a, F: Float> Follower<'a, F> {
                     released.push((*element, forward));
                     released.extend_from_slice(others);
                 }
-                (Trigger::Parts, _) => *mode = Mode::Apart,
+                (Trigger::Parts, rule) => {
+                    if let Rule::Elastic { place, .. } = rule
+                        && let Some(force) = self.z.get_mut(*place)
+                    {
+                        *force = F::int(0);
+                    }
+                    *mode = Mode::Apart;
+                }
+                (Trigger::Meets, Rule::Elastic { stiffness, bound, .. }) => {
+                    // Both its force and its bound begin at 0: the faster one decides.
+                    let velocity = dot(&part.velocity, &self.z);
+                    let holds = *stiffness * velocity.abs() <= dot(bound, &rate);
+                    *mode = if holds { Mode::Holds } else { Mode::Yields { forward: velocity > F::int(0) } };
+                }
                 (Trigger::Meets, rule) => {
                     let velocity = dot(&part.velocity, &self.z);
                     *mode = if self.is_slow(*element) { Mode::Stuck } else { slides(rule, velocity) };
@@ -516,14 +604,10 @@ impl<'a, F: Float> Follower<'a, F> {
         }
         let arrives = resting.iter().any(|&i| before.get(i) != Some(&Mode::Stuck));
         self.settle(&mut modes, resting, &released, arrives)?;
-        for (i, (old, new)) in before.iter().zip(&modes).enumerate() {
-            if let Some(kind) = kind_of(*old, *new, touched.contains(&i)) {
-                watch.event(Event { time: self.time(), element: i, kind });
-            }
-        }
+        self.tell(&before, &modes, &touched, watch);
         self.enter(&modes);
         if let (Some(branch), Some((row, from))) = (self.branch(), change) {
-            watch.changes(&row, &from, &branch.derivative(&self.z));
+            watch.changes(row.as_deref(), &from, &branch.derivative(&self.z));
         }
         Ok(())
     }
@@ -565,8 +649,12 @@ fn kind_of(old: Mode, new: Mode, touched: bool) -> Option<EventKind> {
             Some(EventKind::Reverse)
         }
         (Mode::Slides { .. }, Mode::Slides { .. }) if touched => Some(EventKind::Touch),
-        (Mode::Apart, Mode::Stuck | Mode::Slides { .. }) => Some(EventKind::Close),
-        (Mode::Stuck | Mode::Slides { .. }, Mode::Apart) => Some(EventKind::Open),
+        (Mode::Apart, Mode::Stuck | Mode::Slides { .. } | Mode::Holds | Mode::Yields { .. }) => {
+            Some(EventKind::Close)
+        }
+        (Mode::Stuck | Mode::Slides { .. } | Mode::Holds | Mode::Yields { .. }, Mode::Apart) => {
+            Some(EventKind::Open)
+        }
         (Mode::Holds, Mode::Yields { .. }) => Some(EventKind::Yield),
         (Mode::Yields { .. }, Mode::Holds) => Some(EventKind::Lock),
         (Mode::Away | Mode::Lifted, Mode::Pressed) => Some(EventKind::Close),

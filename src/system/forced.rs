@@ -122,9 +122,9 @@ fn look<F: Float>(following: &mut Following<'_, F>) -> Result<Option<Steady<F>>,
     Ok(None)
 }
 
-/// The common period of the harmonics.
+/// The common period of loads with these frequencies.
 pub(crate) fn common_period<F: Float>(frequencies: &[F]) -> Result<F, Error> {
-    let unsupported = |condition| Error::Unsupported { name: "harmonics".to_string(), condition };
+    let unsupported = |condition| Error::Unsupported { name: "loads".to_string(), condition };
     let least = frequencies
         .iter()
         .copied()

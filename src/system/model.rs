@@ -23,8 +23,25 @@ pub struct Model<F> {
     pub constant: Vec<F>,
     /// The harmonic loads. Moving sides and normal loads use their frequencies.
     pub harmonics: Vec<Harmonic<F>>,
-    /// The loads given by samples.
+    /// The loads given by samples. Moving sides, normal loads and moved coordinates use them.
     pub records: Vec<Record<F>>,
+    /// The coordinates whose motion is prescribed.
+    pub moved: Vec<Moved<F>>,
+    /// The values whose passage is an event.
+    pub levels: Vec<Level<F>>,
+}
+
+/// A value that `displacement·q + velocity·q′` passes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Level<F> {
+    /// The name that errors and answers use.
+    pub name: String,
+    /// The factor of each displacement; none where it is empty.
+    pub displacement: Vec<F>,
+    /// The factor of each velocity; none where it is empty.
+    pub velocity: Vec<F>,
+    /// The value.
+    pub value: F,
 }
 
 /// The load `sin · sin ωt + cos · cos ωt`.
@@ -38,7 +55,7 @@ pub struct Harmonic<F> {
     pub cos: Vec<F>,
 }
 
-/// The load `force · p(t)`, where p is straight between its samples and zero before the first and after the last.
+/// The load `force · p(t)`, where p is straight between its samples.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Record<F> {
     /// The times of the samples, which increase. Two samples at one time are a step of the load.
@@ -47,38 +64,78 @@ pub struct Record<F> {
     pub values: Vec<F>,
     /// The force on each coordinate where p = 1: for a base that moves with the acceleration p, −M ι.
     pub force: Vec<F>,
+    /// p beyond the samples.
+    pub beyond: Beyond,
 }
 
-/// `constant + Σ (sin sin ωt + cos cos ωt)` over the harmonics of the model, in their order.
+/// What a record is beyond its samples.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Beyond {
+    /// Zero before the first sample and after the last.
+    #[default]
+    Zero,
+    /// The value of the first sample before it, and of the last after it.
+    Hold,
+    /// The same again and again, also before the first sample: the period is the time from the first sample to the last. Where
+    /// their values differ, p changes at once.
+    Repeat,
+}
+
+/// `constant + Σ (sin sin ωt + cos cos ωt) + Σ (records p + rates p′)` over the harmonics and the records of the model, in their
+/// order. Factors are zero where a list ends early.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Signal<F> {
     /// The constant part.
     pub constant: F,
-    /// The factors of sin ωt; zero where the list ends early.
+    /// The factors of sin ωt.
     pub sin: Vec<F>,
-    /// The factors of cos ωt; zero where the list ends early.
+    /// The factors of cos ωt.
     pub cos: Vec<F>,
+    /// The factors of the records p.
+    pub records: Vec<F>,
+    /// The factors of their slopes p′.
+    pub rates: Vec<F>,
 }
 
 impl<F: Float> Signal<F> {
     /// A constant.
     #[must_use]
     pub const fn constant(constant: F) -> Self {
-        Self { constant, sin: Vec::new(), cos: Vec::new() }
+        Self { constant, sin: Vec::new(), cos: Vec::new(), records: Vec::new(), rates: Vec::new() }
     }
 }
 
-/// The motion of the base over which the coordinates are measured: its acceleration is `acceleration + Σ records · p(t)`.
+/// A coordinate whose motion is prescribed, whatever force that takes: a carriage, a shaken support, the pulled end of a spring.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Moved<F> {
+    /// Its place among the coordinates.
+    pub coordinate: usize,
+    /// The quantity that the signal prescribes.
+    pub by: MovedBy,
+    /// The quantity over time. Its `rates` are empty.
+    pub signal: Signal<F>,
+}
+
+/// The quantity that is prescribed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MovedBy {
+    /// The displacement. Its velocity changes at once at the samples of a record, and its displacement at two values at one time.
+    Displacement,
+    /// The velocity, from the displacement of the start.
+    Velocity,
+    /// The acceleration, from the displacement and the velocity of the start.
+    Acceleration,
+}
+
+/// The motion of the base over which the coordinates are measured.
 ///
 /// It adds no load: that of a base which moves with the acceleration a is `−M influence · a`, among the loads of the model.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Base<F> {
     /// ι: the displacement of each coordinate where the base alone moves by 1.
     pub influence: Vec<F>,
-    /// The part of the harmonics, and a constant one.
+    /// Its acceleration.
     pub acceleration: Signal<F>,
-    /// The factors of the records of the model, in their order; zero where the list ends early.
-    pub records: Vec<F>,
 }
 
 /// An element between bodies, or between a body and the ground.
@@ -108,12 +165,14 @@ pub enum Kind<F> {
         /// N, by which the law is multiplied. Without it, N = 1.
         normal: Option<Normal<F>>,
     },
-    /// A spring with a slider (Jenkins): `T′ = stiffness · v` while `|T| < friction`.
+    /// A spring with a slider (Jenkins): `T′ = stiffness · v` while `|T| < friction N`. Where it opens, it forgets its force.
     Elastic {
         /// The stiffness of the spring.
         stiffness: F,
-        /// The force at which the slider slides.
+        /// The force at which the slider slides, for N = 1.
         friction: F,
+        /// N. Without it, N = 1.
+        normal: Option<Normal<F>>,
     },
     /// An elastic stop: `T = stiffness (y − gap) + damping v` where `y > gap` and T > 0. For the other side
     /// reverse its direction.
@@ -127,13 +186,16 @@ pub enum Kind<F> {
     },
 }
 
-/// The normal load of a contact, `signal + displacement·q`; the contact is open while it is below 0.
+/// The normal load of a contact, `signal + displacement·q + velocity·q′`; the contact is open while it is below 0. It does not
+/// change at once.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Normal<F> {
     /// The part that depends on time.
     pub signal: Signal<F>,
-    /// The part for each coordinate; none where it is empty.
+    /// The part for each displacement; none where it is empty.
     pub displacement: Vec<F>,
+    /// The part for each velocity; none where it is empty.
+    pub velocity: Vec<F>,
 }
 
 /// A friction force over the speed: straight between its points.

@@ -4,7 +4,7 @@
 //! the stiffness (`sliding`), which then is not symmetric.
 
 use super::System;
-use super::assembly::{Assembly, Rule};
+use super::assembly::{Assembly, Rule, unit};
 use super::fixed_point::eigenvalues;
 use super::matrix::{Matrix, add_times, dot};
 use crate::float::Float;
@@ -26,7 +26,7 @@ impl<F: Float> System<F> {
         let (n, zero, one) = (system.n, F::int(0), F::int(1));
         let root = system.inverse_root_of_mass();
         let mut stiffness = system.sliding_stiffness(one, held);
-        let mut holds: Vec<Vec<F>> = Vec::new();
+        let mut holds: Vec<Vec<F>> = system.moved.iter().map(|moved| unit(n, moved.coordinate)).collect();
         for part in held.iter().filter_map(|&place| system.parts.get(place)) {
             match &part.rule {
                 Rule::Elastic { stiffness: own, .. } => {
@@ -46,7 +46,7 @@ impl<F: Float> System<F> {
                         }
                     }
                     let left = dot(&c, &c).sqrt();
-                    if left > size * F::exp2i(-20) {
+                    if size > zero && left > size * F::exp2i(-20) {
                         c.iter_mut().for_each(|x| *x = *x / left);
                         holds.push(c);
                     }
@@ -106,10 +106,12 @@ fn unsymmetric<F: Float>(operator: &Matrix<F>, count: usize) -> Vec<F> {
 }
 
 impl<F: Float> Assembly<F> {
-    /// M^(−1/2) = Σ v vᵀ/√λ over the modes v of M.
+    /// M^(−1/2) = Σ v vᵀ/√λ over the modes v of M, without the coordinates that are moved.
     pub(super) fn inverse_root_of_mass(&self) -> Matrix<F> {
         let n = self.n;
-        let (values, vectors) = self.mass.symmetric_modes();
+        let mut mass = self.mass.clone();
+        self.moved.iter().for_each(|moved| mass.set(moved.coordinate, moved.coordinate, F::int(1)));
+        let (values, vectors) = mass.symmetric_modes();
         let mut root = Matrix::zero(n, n);
         for (k, value) in values.iter().enumerate() {
             let v: Vec<F> = (0..n).map(|i| vectors.at(k, i)).collect();
@@ -117,6 +119,7 @@ impl<F: Float> Assembly<F> {
                 add_times(root.row_mut(i), x / value.sqrt(), &v);
             }
         }
+        self.moved.iter().for_each(|moved| root.set(moved.coordinate, moved.coordinate, F::int(0)));
         root
     }
 }

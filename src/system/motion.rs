@@ -1,12 +1,13 @@
 //! The answers of a motion: events, extremes, time at rest, and energy.
 
-use super::assembly::Assembly;
+use super::assembly::{Assembly, Driven};
 use super::branch::{Branch, static_bound};
 use super::dependent::least;
 use super::equation::Mode;
 use super::events::{Event, EventKind, Stretch, Watch};
 use super::first_passage::{greatest_above, integer};
 use super::follow::{Follower, shorten, shortened};
+use super::levels::Sides;
 use super::matrix::{Matrix, Sum, add_times, dot, size_of_dot};
 use super::model::State;
 use crate::float::Float;
@@ -37,7 +38,7 @@ pub struct Motion<F> {
     pub events: Vec<Event<F>>,
     /// The answers of the elements, in the order of the model.
     pub elements: Vec<ElementMotion<F>>,
-    /// The work of the loads, `∫ f·q′ dt`.
+    /// The work of the loads, `∫ f·q′ dt`, and of the forces that move coordinates as they are prescribed.
     pub load_work: F,
     /// The work done on the dampers, `∫ q′·C q′ dt`.
     pub damper_work: F,
@@ -68,6 +69,7 @@ pub(crate) struct Observer<F> {
     least: Vec<F>,
     /// The greatest absolute accelerations.
     accelerations: Vec<F>,
+    sides: Sides,
     pub(crate) events: Vec<Event<F>>,
     at_rest: Vec<Sum<F>>,
     work: Vec<F>,
@@ -93,6 +95,7 @@ impl<F: Float> Observer<F> {
             greatest: seen.clone(),
             least: seen,
             accelerations: vec![zero; system.base.len()],
+            sides: Sides::new(system),
             events: Vec::new(),
             at_rest: vec![Sum::at(zero); system.parts.len()],
             work: vec![zero; system.parts.len()],
@@ -122,7 +125,7 @@ impl<F: Float> Observer<F> {
                     )
                 }
                 EventKind::Slip | EventKind::Reverse | EventKind::Touch => false,
-                EventKind::Yield | EventKind::Close => false,
+                EventKind::Yield | EventKind::Close | EventKind::Rise | EventKind::Fall => false,
             };
             self.events.iter().filter(|e| e.element == element && begins(e.kind)).count()
         };
@@ -257,10 +260,58 @@ impl<F: Float> Observer<F> {
             *done = *done + work(tension, entries, along);
         }
         for (i, moments) in moments.chunks_exact(count).enumerate() {
-            let [load, damping] = [system.load.row(i), system.damping.row(i)];
+            let damping = system.damping.row(i);
+            let drive = system.moved.iter().find(|driven| driven.coordinate == i);
+            let drive = drive.map(|driven| driving(system, branch, driven));
+            let load = drive.as_deref().unwrap_or_else(|| system.load.row(i));
             self.load_work = self.load_work + work(load, entries, moments);
             self.damper_work = self.damper_work + work(damping, velocities, moments);
         }
+    }
+}
+
+/// The row of the force that moves a coordinate as it is prescribed, with its loads: `m a + (C q′ + K q) + Σ b T`.
+fn driving<F: Float>(system: &Assembly<F>, branch: &Branch<F>, driven: &Driven<F>) -> Vec<F> {
+    let (i, one) = (driven.coordinate, F::int(1));
+    let mut row = system.load.row(i).to_vec();
+    add_times(&mut row, -one, system.force.row(i));
+    add_times(&mut row, system.mass.at(i, i), &driven.acceleration);
+    for (part, tension) in system.parts.iter().zip(&branch.tension) {
+        add_times(&mut row, part.direction.get(i).copied().unwrap_or(F::int(0)), tension);
+    }
+    row
+}
+
+/// Watches for the first passage of a level.
+pub(crate) struct Passage<F> {
+    element: usize,
+    sides: Sides,
+    terms: Vec<F>,
+    events: Vec<Event<F>>,
+}
+
+impl<F: Float> Passage<F> {
+    pub(crate) fn new(system: &Assembly<F>, level: usize) -> Self {
+        let element = system.parts.len() + level;
+        Self { element, sides: Sides::new(system), terms: Vec::new(), events: Vec::new() }
+    }
+
+    pub(crate) fn time(&self) -> Option<F> {
+        self.events.iter().find(|event| event.element == self.element).map(|event| event.time)
+    }
+}
+
+impl<F: Float> Watch<F> for Passage<F> {
+    fn stretch(&mut self, system: &Assembly<F>, stretch: &Stretch<'_, F>) {
+        self.events.clear();
+        stretch.branch.taylor(stretch.from, stretch.time, &mut self.terms);
+        self.sides.pass(system, stretch, &self.terms, &mut self.events);
+    }
+
+    fn event(&mut self, _: Event<F>) {}
+
+    fn is_over(&self) -> bool {
+        self.time().is_some()
     }
 }
 
@@ -283,6 +334,7 @@ impl<F: Float> Watch<F> for Observer<F> {
             }
         }
         branch.taylor(from, time, &mut self.terms);
+        self.sides.pass(system, stretch, &self.terms, &mut self.events);
         let count = self.part(system.size);
         self.extremes(count, to);
         if !system.base.is_empty() {

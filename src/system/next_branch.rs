@@ -168,6 +168,10 @@ impl<F: Float> Now<'_, F> {
             }
             let (Some(&force), Some(&bound)) = (tension.get(k), bounds.get(k)) else { continue };
             let own = system.coupling.at(contact.element, contact.element);
+            // Both sides are moved: no force acts on them.
+            if own <= zero {
+                continue;
+            }
             let doubt = contact.doubt / own + bound * F::epsilon() * F::int(256);
             // An event is found to the rounding of the whole step.
             let near =
@@ -264,8 +268,8 @@ impl<F: Float> Now<'_, F> {
         let matrix = system.coupling_of(&elements);
         let inverse = matrix.pseudo_inverse();
         let mut wave = self.z.to_vec();
-        // A wave is zero if twice as many derivatives as it has harmonics are.
-        for _ in 0..=2 * system.frequencies.len() {
+        // A wave is zero if twice as many derivatives as it has harmonics are, and a record has one.
+        for _ in 0..=2 * system.frequencies.len() + 1 {
             wave = self.turned(&wave);
             let parts = || elements.iter().filter_map(|&i| system.parts.get(i));
             let apart: Vec<F> = parts().map(|p| -dot(&p.moves, &wave)).collect();
@@ -281,7 +285,7 @@ impl<F: Float> Now<'_, F> {
         None
     }
 
-    /// The derivative of the harmonics of a state, and zeros.
+    /// The derivative of the harmonics and records of a state, and zeros.
     fn turned(&self, old: &[F]) -> Vec<F> {
         let mut wave = vec![F::int(0); old.len()];
         let at = |k: usize| old.get(k).copied().unwrap_or(F::int(0));
@@ -291,6 +295,12 @@ impl<F: Float> Now<'_, F> {
                 if let Some(wave) = wave.get_mut(k) {
                     *wave = x;
                 }
+            }
+        }
+        for i in 0..self.system.records.len() {
+            let place = self.system.record(i);
+            if let Some(wave) = wave.get_mut(place) {
+                *wave = at(place + 1);
             }
         }
         wave
@@ -318,10 +328,9 @@ impl<F: Float> Now<'_, F> {
                 *rate = *stiffness * dot(&part.velocity, self.z);
             }
         }
-        for i in 0..system.records.len() {
-            let place = system.record(i);
-            if let Some(rate) = rate.get_mut(place) {
-                *rate = self.z.get(place + 1).copied().unwrap_or(F::int(0));
+        for driven in &system.moved {
+            if let Some(rate) = rate.get_mut(n + driven.coordinate) {
+                *rate = dot(&driven.acceleration, self.z);
             }
         }
         rate
@@ -396,7 +405,9 @@ pub(crate) fn at_rest<F: Float>(system: &Assembly<F>, z: &mut [F], elements: &[u
         return;
     }
     let impulse = match (elements, velocity.as_slice()) {
-        (&[element], &[velocity]) => vec![F::int(1) / system.coupling.at(element, element) * velocity],
+        (&[element], &[velocity]) if system.coupling.at(element, element) > F::int(0) => {
+            vec![F::int(1) / system.coupling.at(element, element) * velocity]
+        }
         _ => system.coupling_of(elements).pseudo_inverse().of(&velocity),
     };
     let n = system.n;

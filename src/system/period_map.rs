@@ -6,7 +6,7 @@
 
 use super::assembly::{Assembly, Rule};
 use super::drift::{Drift, Natural};
-use super::equation::Mode;
+use super::equation::{Mode, sign};
 use super::error::Error;
 use super::events::{Event, EventKind, Stretch, Watch};
 use super::first_passage::integer;
@@ -26,6 +26,8 @@ struct Seen<F> {
     events: Vec<Event<F>>,
     sizes: [F; 3],
     tangent: Option<Vec<Vec<F>>>,
+    /// By how much each column is late at the events of this instant; nothing at a sample.
+    late: Vec<F>,
     observer: Option<Observer<F>>,
     buffer: Vec<F>,
 }
@@ -49,6 +51,7 @@ impl<F: Float> Watch<F> for Seen<F> {
         for (size, block) in self.sizes.iter_mut().zip(blocks(system, stretch.from)) {
             *size = size.or_larger(largest(block));
         }
+        self.late.clear();
         let Some(tangent) = &mut self.tangent else { return };
         let part = stretch.motion.is_none().then(|| branch.free_motion(time, system.free));
         let Some(motion) = stretch.motion.map(|motion| &motion.free).or(part.as_ref()) else { return };
@@ -70,10 +73,14 @@ impl<F: Float> Watch<F> for Seen<F> {
         self.tangent.is_some()
     }
 
-    fn changes(&mut self, guard: &[F], from: &[F], to: &[F]) {
-        let speed = dot(guard, from);
-        for column in self.tangent.iter_mut().flatten() {
-            let late = dot(guard, column) / speed;
+    fn changes(&mut self, guard: Option<&[F]>, from: &[F], to: &[F]) {
+        let tangent = self.tangent.get_or_insert_default();
+        if let Some(guard) = guard {
+            let speed = dot(guard, from);
+            self.late.clear();
+            self.late.extend(tangent.iter().map(|column| dot(guard, column) / speed));
+        }
+        for (column, &late) in tangent.iter_mut().zip(&self.late) {
             for ((x, &a), &b) in column.iter_mut().zip(to).zip(from) {
                 *x = *x + (a - b) * late;
             }
@@ -131,14 +138,22 @@ impl<'a, F: Float> PeriodMap<'a, F> {
         let from = self.follower.z.clone();
         let start = answers.then(|| state(system, &self.follower));
         let observer = answers.then(|| Observer::new(system, &from));
-        let mut seen =
-            Seen { events: Vec::new(), sizes: [F::int(0); 3], tangent, observer, buffer: Vec::new() };
+        let mut seen = Seen {
+            events: Vec::new(),
+            sizes: [F::int(0); 3],
+            tangent,
+            late: Vec::new(),
+            observer,
+            buffer: Vec::new(),
+        };
         let done = self.follower.run(self.period, &mut seen);
         self.steps = self.steps.saturating_add(self.follower.renew());
         done?;
+        let moved: Vec<F> = self.follower.z.iter().zip(&from).take(system.n).map(|(&a, &b)| a - b).collect();
         let observed =
             start.zip(seen.observer).map(|(start, o)| (start, o.finish(system, &from, &self.follower)));
-        let moved: Vec<F> = self.follower.z.iter().zip(&from).take(system.n).map(|(&a, &b)| a - b).collect();
+        // Rounding of what is prescribed does not add up.
+        self.follower.rewind();
         let mut drift = self.drift.part(&moved);
         if self.drift.count() > 0 {
             drift.iter_mut().for_each(|x| *x = -*x);
@@ -221,16 +236,30 @@ impl<'a, F: Float> PeriodMap<'a, F> {
             }
             super::next_branch::at_rest(system, &mut column, &stuck);
             for (part, mode) in system.parts.iter().zip(modes) {
-                if let (Rule::Elastic { place, .. }, Mode::Yields { .. }) = (&part.rule, mode)
-                    && let Some(force) = column.get_mut(*place)
-                {
-                    *force = F::int(0);
+                let Rule::Elastic { place, bound, .. } = &part.rule else { continue };
+                let force = match mode {
+                    Mode::Yields { forward } => sign::<F>(*forward) * dot(bound, &column),
+                    Mode::Apart => F::int(0),
+                    Mode::Stuck | Mode::Slides { .. } | Mode::Holds => continue,
+                    Mode::Away | Mode::Pressed | Mode::Lifted => continue,
+                };
+                if let Some(place) = column.get_mut(*place) {
+                    *place = force;
                 }
+            }
+            if self.is_moved(i) {
+                column.fill(F::int(0));
             }
             column.truncate(free);
             columns.push(column);
         }
         columns
+    }
+
+    /// Whether an entry of the state is prescribed.
+    fn is_moved(&self, i: usize) -> bool {
+        let n = self.system.n;
+        self.system.moved.iter().any(|moved| i == moved.coordinate || i == n + moved.coordinate)
     }
 
     /// The rows of what the elements keep in the present branch, without those in `busy`: b·q of a contact that sticks, T − k b·q of an
@@ -253,7 +282,15 @@ impl<'a, F: Float> PeriodMap<'a, F> {
                 }
                 _ => continue,
             }
-            rows.push(row);
+            let moved = |(i, x): (usize, &mut F)| {
+                if self.is_moved(i) {
+                    *x = F::int(0);
+                }
+            };
+            row.iter_mut().enumerate().for_each(moved);
+            if row.iter().any(|&x| x != F::int(0)) {
+                rows.push(row);
+            }
         }
         self.drift.blind(rows)
     }
@@ -292,12 +329,15 @@ impl<'a, F: Float> PeriodMap<'a, F> {
 
     /// Elastic forces do not exceed their frictions.
     pub(super) fn keep_bounds(&self, x: &mut [F]) {
+        let given = self.follower.z.get(self.system.free..).unwrap_or(&[]);
         for part in &self.system.parts {
-            if let Rule::Elastic { place, friction, .. } = part.rule
-                && let Some(force) = x.get_mut(place)
-                && force.abs() > friction
+            let Rule::Elastic { place, bound, .. } = &part.rule else { continue };
+            let bound = dot(bound, x) + dot(bound.get(x.len()..).unwrap_or(&[]), given);
+            let bound = bound.or_larger(F::int(0));
+            if let Some(force) = x.get_mut(*place)
+                && force.abs() > bound
             {
-                *force = friction.with_sign_of(*force);
+                *force = bound.with_sign_of(*force);
             }
         }
     }

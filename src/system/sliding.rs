@@ -90,13 +90,16 @@ impl<F: Float> Assembly<F> {
         stiffness
     }
 
-    /// C with the slopes of the laws of the contacts that slide on travelling sides.
+    /// C with the slopes of the laws of the contacts that slide on travelling sides, and with the change of their friction by
+    /// velocities.
     fn sliding_damping(&self) -> Matrix<F> {
-        let mut damping = self.damping.clone();
+        let (mut damping, n) = (self.damping.clone(), self.n);
         for part in &self.parts {
-            let Some((.., slope)) = part.sliding() else { continue };
+            let Some((sign, force, slope)) = part.sliding() else { continue };
+            let by = part.normal().and_then(|row| row.get(n..2 * n)).unwrap_or(&[]);
             for (row, &b) in part.direction.iter().enumerate() {
                 add_times(damping.row_mut(row), slope * b, &part.direction);
+                add_times(damping.row_mut(row), sign * force * b, by);
             }
         }
         damping
@@ -142,7 +145,7 @@ impl Growth {
 }
 
 impl<F: Float> System<F> {
-    /// The stability of steady sliding; none where no contact has a side that travels without end.
+    /// The stability of steady sliding; none where no contact has a side that travels without end, or a coordinate is moved.
     ///
     /// It is that of the equilibrium in which all such contacts slide and are closed, with stops open. Contacts that slide both ways, and elastic ones, have a
     /// friction that is constant there. A threshold is sought up to coefficients of [`GREATEST_COEFFICIENT`], on a mesh: instability in a
@@ -150,7 +153,7 @@ impl<F: Float> System<F> {
     #[must_use]
     pub fn sliding(&self) -> Option<Sliding> {
         let system = &self.assembly;
-        if !system.parts.iter().any(|part| part.sliding().is_some()) {
+        if !system.parts.iter().any(|part| part.sliding().is_some()) || !system.moved.is_empty() {
             return None;
         }
         let root = system.inverse_root_of_mass();

@@ -4,7 +4,7 @@ use crate::closed_form::contact;
 use crate::generator::Random;
 use stickslip::Excitation;
 use stickslip::motion::record::{Body, Record as Samples};
-use stickslip::system::{Base, Element, Harmonic, Kind, Model, Record, Signal, State, System};
+use stickslip::system::{Base, Beyond, Element, Harmonic, Kind, Model, Record, Signal, State, System};
 
 fn shaken(random: &mut Random, count: usize) -> Vec<f64> {
     let mut value = 0.0;
@@ -40,10 +40,11 @@ fn one_body_has_the_greatest_acceleration_of_its_record() {
             damping: vec![vec![damping]],
             stiffness: vec![vec![stiffness]],
             elements: vec![contact(vec![1.0], friction, peak)],
-            records: vec![Record { times, values, force: vec![-mass] }],
+            records: vec![Record { times, values, force: vec![-mass], beyond: Beyond::Zero }],
             ..Model::default()
         };
-        let base = Base { influence: vec![1.0], acceleration: Signal::constant(0.0), records: vec![1.0] };
+        let acceleration = Signal { records: vec![1.0], ..Signal::constant(0.0) };
+        let base = Base { influence: vec![1.0], acceleration };
         let system = System::new(&model).and_then(|s| s.with_base(&base)).expect("valid");
         let motion = system.simulate(&State::rest(1), record.end() + 400.0).expect("it is found");
         let (seen, due) = (motion.max_absolute_acceleration[0], expected.max_absolute_acceleration);
@@ -99,7 +100,7 @@ fn the_greatest_accelerations_are_those_of_dense_samples() {
                 contact(vec![1.0, 0.0], random.between(0.1, 1.0), random.between(1.0, 1.5)),
                 element(
                     vec![-1.0, 1.0],
-                    Kind::Elastic { stiffness: 3.0, friction: random.between(0.1, 0.8) },
+                    Kind::Elastic { stiffness: 3.0, friction: random.between(0.1, 0.8), normal: None },
                 ),
                 element(vec![0.0, 1.0], Kind::Stop { gap: 0.3, stiffness: 40.0, damping: 0.5 }),
             ],
@@ -115,11 +116,13 @@ fn the_greatest_accelerations_are_those_of_dense_samples() {
                 times: times.clone(),
                 values: values.clone(),
                 force: masses.map(|m| -m).to_vec(),
+                beyond: Beyond::Zero,
             }],
             ..Model::default()
         };
-        let acceleration = Signal { constant: 0.0, sin: vec![sin], cos: vec![cos] };
-        let base = Base { influence: vec![1.0; 2], acceleration, records: vec![1.0] };
+        let acceleration =
+            Signal { sin: vec![sin], cos: vec![cos], records: vec![1.0], ..Signal::constant(0.0) };
+        let base = Base { influence: vec![1.0; 2], acceleration };
         let plain = System::new(&model).expect("valid");
         let system = plain.clone().with_base(&base).expect("valid");
         let until = 12.0;
@@ -186,13 +189,17 @@ fn what_a_base_must_be() {
     let one = || vec![vec![1.0]];
     let model = Model { mass: one(), damping: one(), stiffness: one(), ..Model::default() };
     let system = System::new(&model).expect("valid");
-    let good = Base { influence: vec![1.0], acceleration: Signal::constant(0.0), records: vec![] };
+    let good = Base { influence: vec![1.0], acceleration: Signal::constant(0.0) };
+    let by = |signal: Signal<f64>| Base { acceleration: signal, ..good.clone() };
     for (base, due) in [
         (Base { influence: vec![], ..good.clone() }, "base: influence has 0 entries, but must have 1"),
         (Base { influence: vec![f64::NAN], ..good.clone() }, "base: influence[1] = NaN must be finite"),
-        (Base { records: vec![1.0], ..good.clone() }, "base: records has 1 entries, but must have 0"),
         (
-            Base { acceleration: Signal { constant: 0.0, sin: vec![1.0], cos: vec![] }, ..good },
+            by(Signal { records: vec![1.0], ..Signal::constant(0.0) }),
+            "base: acceleration.records has 1 entries, but must have 0",
+        ),
+        (
+            by(Signal { sin: vec![1.0], ..Signal::constant(0.0) }),
             "base: acceleration.sin has 1 entries, but must have 0",
         ),
     ] {

@@ -1,7 +1,7 @@
 //! The cases of `tests/data/systems.json`, whose values an independent program computed.
 
 use serde_json::Value;
-use stickslip::system::{Element, Harmonic, Kind, Law, Model, Normal, Record, Signal, State};
+use stickslip::system::{Beyond, Element, Harmonic, Kind, Law, Model, Normal, Record, Signal, State};
 
 pub(crate) struct Case {
     pub(crate) name: String,
@@ -39,7 +39,7 @@ fn rows(value: &Value) -> Vec<Vec<f64>> {
 
 fn signal(value: &Value, constant: f64) -> Signal<f64> {
     let constant = value.get("const").map_or(constant, number);
-    Signal { constant, sin: list(&value["sin"]), cos: list(&value["cos"]) }
+    Signal { sin: list(&value["sin"]), cos: list(&value["cos"]), ..Signal::constant(constant) }
 }
 
 fn case(value: &Value) -> Case {
@@ -54,6 +54,7 @@ fn case(value: &Value) -> Case {
         times: list(&r["times"]),
         values: list(&r["values"]),
         force: list(&r["force"]),
+        beyond: Beyond::Zero,
     });
     Case {
         name: value["name"].as_str().expect("a name").to_owned(),
@@ -65,6 +66,8 @@ fn case(value: &Value) -> Case {
             constant: Vec::new(),
             harmonics: harmonics.collect(),
             records: records.into_iter().collect(),
+            moved: Vec::new(),
+            levels: Vec::new(),
         },
         run: value["run"].clone(),
         answer: value["answer"].clone(),
@@ -81,10 +84,15 @@ fn element((i, value): (usize, &Value)) -> Element<f64> {
                 |law| Law { points: rows(law).iter().map(|p| (p[0], p[1])).collect() },
             ),
             peak: value.get("peak").map_or(1.0, number),
-            normal: value.get("normal").map(|n| Normal { signal: signal(n, 0.0), displacement: Vec::new() }),
+            normal: value.get("normal").map(|n| Normal {
+                signal: signal(n, 0.0),
+                displacement: Vec::new(),
+                velocity: Vec::new(),
+            }),
         },
         Some("elastic") => {
-            Kind::Elastic { stiffness: number(&value["stiffness"]), friction: number(&value["friction"]) }
+            let (stiffness, friction) = (number(&value["stiffness"]), number(&value["friction"]));
+            Kind::Elastic { stiffness, friction, normal: None }
         }
         Some("stop") => Kind::Stop {
             gap: number(&value["gap"]),

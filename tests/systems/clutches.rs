@@ -13,9 +13,9 @@ fn machine(from: f64, pressed: usize) -> Model<f64> {
         let mut direction = vec![0.0; 4];
         (direction[i], direction[i + 1]) = (1.0, -1.0);
         // cos 0.4π(t + b) = cos 0.4πt cos 0.4πb − sin 0.4πt sin 0.4πb.
-        let wave = Signal { constant: 0.0, sin: vec![0.0, -sin], cos: vec![0.0, cos] };
+        let wave = Signal { sin: vec![0.0, -sin], cos: vec![0.0, cos], ..Signal::constant(0.0) };
         let signal = if i == 0 { wave } else { Signal::constant(1.0) };
-        let normal = Some(Normal { signal, displacement: vec![] });
+        let normal = Some(Normal { signal, displacement: vec![], velocity: vec![] });
         let kind = Kind::Contact { law: Law::constant(10.0), peak: 1.1, normal };
         Element { name: format!("clutch {}", i + 1), direction, moves: Signal::constant(0.0), kind }
     };

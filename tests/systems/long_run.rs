@@ -69,7 +69,7 @@ fn machine(kind: usize, seed: u64) -> Model<f64> {
                 let (direction, friction) = (between(n, i, true), amplitude * r.scale(0.05, 3.0));
                 let peak = if r.next() < 0.5 { 1.0 } else { r.between(1.0, 1.6) };
                 model.elements.push(if r.next() < 0.6 {
-                    let kind = Kind::Elastic { stiffness: r.scale(1.0, 50.0), friction };
+                    let kind = Kind::Elastic { stiffness: r.scale(1.0, 50.0), friction, normal: None };
                     Element { name: String::new(), direction, moves: Signal::constant(0.0), kind }
                 } else {
                     contact(direction, friction, peak)
@@ -222,7 +222,9 @@ fn of_limits(of: &Value) -> Model<f64> {
                 let peak = e.get("peak").map_or(1.0, number);
                 Kind::Contact { law: Law { points }, peak, normal: None }
             }
-            "elastic" => Kind::Elastic { stiffness: number(&e["stiffness"]), friction: friction(e) },
+            "elastic" => {
+                Kind::Elastic { stiffness: number(&e["stiffness"]), friction: friction(e), normal: None }
+            }
             _ => Kind::Stop {
                 gap: number(&e["gap"]),
                 stiffness: number(&e["stiffness"]),
@@ -351,11 +353,11 @@ fn a_plate_under_two_harmonics_drifts() {
 /// A part on a vibrating track, whose normal load varies: by small steps 64.59793 mm/s.
 #[test]
 fn a_conveyor_carries_its_part() {
-    let normal = Signal { constant: 9.81, sin: vec![-7.507_935_100_902_13], cos: vec![] };
+    let normal = Signal { sin: vec![-7.507_935_100_902_13], ..Signal::constant(9.81) };
     let law = Kind::Contact {
         law: Law::constant(0.4),
         peak: 1.0,
-        normal: Some(Normal { signal: normal, displacement: vec![] }),
+        normal: Some(Normal { signal: normal, displacement: vec![], velocity: vec![] }),
     };
     let model = Model {
         mass: vec![vec![1.0]],
@@ -440,7 +442,7 @@ fn a_load_of_nothing_leaves_rest() {
 /// An elastic contact that holds keeps `T − k y`: after thousands of periods its force is that of the bound it left at its last yield.
 #[test]
 fn what_a_holding_contact_keeps_does_not_creep() {
-    let kind = Kind::Elastic { stiffness: 30.0, friction: 1.0 };
+    let kind = Kind::Elastic { stiffness: 30.0, friction: 1.0, normal: None };
     let model = Model {
         mass: vec![vec![1.0]],
         damping: vec![vec![0.2]],

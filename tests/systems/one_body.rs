@@ -4,7 +4,7 @@ use crate::closed_form::{contact, one_body};
 use crate::generator::Random;
 use stickslip::motion::record::{Body, Record as Samples};
 use stickslip::motion::{DrivePhase, End, State as Phase, Trajectory};
-use stickslip::system::{EventKind, Model, Record, State, System};
+use stickslip::system::{Beyond, EventKind, Model, Record, State, System};
 use stickslip::{Excitation, Ratios};
 
 /// The number of machines: a tenth of those of `.ci/slow systems`.
@@ -127,7 +127,7 @@ fn records() {
             damping: vec![vec![damping]],
             stiffness: vec![vec![stiffness]],
             elements: vec![contact(vec![1.0], friction, peak)],
-            records: vec![Record { times, values: samples, force: vec![1.0] }],
+            records: vec![Record { times, values: samples, force: vec![1.0], beyond: Beyond::Zero }],
             ..Model::default()
         };
         let system = System::new(&model).expect("valid");

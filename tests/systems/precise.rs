@@ -7,7 +7,7 @@ use crate::generator::Random;
 use stickslip::Float;
 use stickslip::float::{Field, Mp};
 use stickslip::system::{
-    Element, Harmonic, Kind, Law, Model, Normal, Record, Signal, State, SteadyKind, System,
+    Element, Harmonic, Kind, Law, Model, Moved, Normal, Record, Signal, State, SteadyKind, System,
 };
 
 type Wide = Mp<2>;
@@ -21,7 +21,21 @@ fn rows<F: Float>(rows: &[Vec<f64>]) -> Vec<Vec<F>> {
 }
 
 fn signal<F: Float>(signal: &Signal<f64>) -> Signal<F> {
-    Signal { constant: F::from_f64(signal.constant), sin: list(&signal.sin), cos: list(&signal.cos) }
+    Signal {
+        constant: F::from_f64(signal.constant),
+        sin: list(&signal.sin),
+        cos: list(&signal.cos),
+        records: list(&signal.records),
+        rates: list(&signal.rates),
+    }
+}
+
+fn of_normal<F: Float>(normal: &Normal<f64>) -> Normal<F> {
+    Normal {
+        signal: signal(&normal.signal),
+        displacement: list(&normal.displacement),
+        velocity: list(&normal.velocity),
+    }
 }
 
 fn element<F: Float>(element: &Element<f64>) -> Element<F> {
@@ -30,13 +44,13 @@ fn element<F: Float>(element: &Element<f64>) -> Element<F> {
         Kind::Contact { law, peak, normal } => Kind::Contact {
             law: Law { points: law.points.iter().map(|&(v, r)| (of(v), of(r))).collect() },
             peak: of(*peak),
-            normal: normal
-                .as_ref()
-                .map(|n| Normal { signal: signal(&n.signal), displacement: list(&n.displacement) }),
+            normal: normal.as_ref().map(of_normal),
         },
-        Kind::Elastic { stiffness, friction } => {
-            Kind::Elastic { stiffness: of(*stiffness), friction: of(*friction) }
-        }
+        Kind::Elastic { stiffness, friction, normal } => Kind::Elastic {
+            stiffness: of(*stiffness),
+            friction: of(*friction),
+            normal: normal.as_ref().map(of_normal),
+        },
         Kind::Stop { gap, stiffness, damping } => {
             Kind::Stop { gap: of(*gap), stiffness: of(*stiffness), damping: of(*damping) }
         }
@@ -51,8 +65,13 @@ fn model<F: Float>(given: &Model<f64>) -> Model<F> {
         sin: list(&h.sin),
         cos: list(&h.cos),
     };
-    let record =
-        |r: &Record<f64>| Record { times: list(&r.times), values: list(&r.values), force: list(&r.force) };
+    let record = |r: &Record<f64>| Record {
+        times: list(&r.times),
+        values: list(&r.values),
+        force: list(&r.force),
+        beyond: r.beyond,
+    };
+    let moved = |m: &Moved<f64>| Moved { coordinate: m.coordinate, by: m.by, signal: signal(&m.signal) };
     Model {
         mass: rows(&given.mass),
         damping: rows(&given.damping),
@@ -61,6 +80,8 @@ fn model<F: Float>(given: &Model<f64>) -> Model<F> {
         constant: list(&given.constant),
         harmonics: given.harmonics.iter().map(harmonic).collect(),
         records: given.records.iter().map(record).collect(),
+        moved: given.moved.iter().map(moved).collect(),
+        levels: Vec::new(),
     }
 }
 

@@ -8,7 +8,9 @@ pub(crate) mod systems;
 
 use crate::closed_form::contact;
 use crate::generator::Random;
-use stickslip::system::{Element, EventKind, Harmonic, Kind, Law, Model, Record, Signal, State, System};
+use stickslip::system::{
+    Beyond, Element, EventKind, Harmonic, Kind, Law, Model, Record, Signal, State, System,
+};
 
 /// Two equal halves: what happens on one side happens on the other at the same instant, without a loop and without a slip.
 #[test]
@@ -73,6 +75,7 @@ fn pair(elements: Vec<Element<f64>>, force: Vec<f64>) -> Model<f64> {
             times: vec![0.0, 2.0, 4.0, 6.0, 9.0],
             values: vec![0.0, 4.0, -4.0, 3.0, 0.0],
             force,
+            beyond: Beyond::Zero,
         }],
         ..Model::default()
     }
@@ -172,9 +175,8 @@ fn the_stronger_of_two_belts_holds() {
     for stronger in [0, 1] {
         let belt = |i: usize| Element {
             moves: Signal {
-                constant: 0.0,
                 sin: if i == 0 { vec![1.0, 0.0] } else { vec![0.0, 1.0 / 3.0] },
-                cos: Vec::new(),
+                ..Signal::constant(0.0)
             },
             ..contact(vec![1.0], if i == stronger { 5.0 } else { 1.0 }, 1.0)
         };

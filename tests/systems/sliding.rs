@@ -12,7 +12,11 @@ fn pad(direction: &[f64], coefficient: f64, normal: &[f64], speed: f64) -> Eleme
         kind: Kind::Contact {
             law: Law::constant(coefficient),
             peak: 1.0,
-            normal: Some(Normal { signal: Signal::constant(1.0), displacement: normal.to_vec() }),
+            normal: Some(Normal {
+                signal: Signal::constant(1.0),
+                displacement: normal.to_vec(),
+                velocity: vec![],
+            }),
         },
     }
 }

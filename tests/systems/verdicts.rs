@@ -78,7 +78,7 @@ fn a_motion_of_nine_periods_is_found() {
         cos: vec![0.0, size * phase.sin()],
     };
     let friction = 0.18344827586206897;
-    let normal = Signal { constant: 1176.8, sin: vec![0.0, 200.0], cos: vec![] };
+    let normal = Signal { sin: vec![0.0, 200.0], ..Signal::constant(1176.8) };
     let model = Model {
         mass: vec![vec![0.6, 0.0], vec![0.0, 0.12]],
         damping: vec![vec![3.2, -0.2], vec![-0.2, 0.2]],
@@ -90,7 +90,7 @@ fn a_motion_of_nine_periods_is_found() {
             kind: Kind::Contact {
                 law: Law::constant(friction),
                 peak: 1.2,
-                normal: Some(Normal { signal: normal, displacement: vec![] }),
+                normal: Some(Normal { signal: normal, displacement: vec![], velocity: vec![] }),
             },
         }],
         harmonics: vec![load(1.0, 0.0, 200.0), load(2.0, 40f64.to_radians(), 90.0), load(3.0, 1.0, 60.0)],

@@ -78,7 +78,7 @@ pub(crate) struct SystemArgs {
     /// The records, with the questions record and spectrum: a row for each if there are several
     #[arg(value_name = "RECORD")]
     pub(crate) records: Vec<PathBuf>,
-    /// Time at which the motion ends, with simulate
+    /// Time at which the motion ends, with simulate, or a value that is passed first: "box = 2 m", "box.velocity = 1 m/s"
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     pub(crate) until: Option<String>,
     /// Evenly spaced states of the motion, with simulate, steady and record: displacements, velocities, forces, and absolute

@@ -86,10 +86,11 @@ fn links(described: &Described) -> Vec<Link> {
                 };
                 (Symbol::Contact, what)
             }
-            Kind::Elastic { stiffness, friction } => (
-                Symbol::Elastic,
-                format!("{}, {}", quantity(described, *stiffness, Of::Stiffness), force(*friction)),
-            ),
+            Kind::Elastic { stiffness, friction, normal } => {
+                let friction =
+                    if normal.is_some() { format!("µ = {}", digits(*friction)) } else { force(*friction) };
+                (Symbol::Elastic, format!("{}, {friction}", quantity(described, *stiffness, Of::Stiffness)))
+            }
             Kind::Stop { gap, .. } => {
                 (Symbol::Stop, format!("gap {}", quantity(described, *gap, Of::Length)))
             }

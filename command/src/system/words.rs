@@ -7,7 +7,7 @@ use crate::note::line;
 use crate::output;
 use std::io::Write;
 use stickslip::inputs::units::{Kind as Of, System as Units};
-use stickslip::system::{Border, Cycle, Element, Kind, Law, Motion, Steady, SteadyKind};
+use stickslip::system::{Beyond, Border, Cycle, Element, Kind, Law, Motion, MovedBy, Steady, SteadyKind};
 use stickslip_front::system::{
     Described, Description, NamedSystem, border_verdict, frequency_of, kind_of, plural, sliding_verdict,
     steady_verdict, with_unit,
@@ -48,7 +48,14 @@ pub(super) fn describe(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Wr
     writeln!(out, "A system of {}.\n", parts.join(", "))?;
     for (i, name) in described.coordinates.iter().enumerate() {
         let mass = described.model.mass.get(i).and_then(|row| row.get(i)).copied().unwrap_or(0.0);
-        line(out, name, with_unit(mass, units, Of::Mass))?;
+        let moved = described.model.moved.iter().find(|moved| moved.coordinate == i);
+        let text = match moved.map(|moved| moved.by) {
+            Some(MovedBy::Displacement) => "moved by its displacement".to_owned(),
+            Some(MovedBy::Velocity) => "moved by its velocity".to_owned(),
+            Some(MovedBy::Acceleration) => "moved by its acceleration".to_owned(),
+            None => with_unit(mass, units, Of::Mass),
+        };
+        line(out, name, text)?;
     }
     for element in elements {
         line(out, &element.name, of_element(element, described, units))?;
@@ -61,7 +68,11 @@ pub(super) fn describe(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Wr
     for record in &described.model.records {
         let end = record.times.last().copied().unwrap_or(0.0);
         let end = with_unit(end, units, Of::Time);
-        line(out, "load", format!("record of {} samples to {end}", record.values.len()))?;
+        let text = match record.beyond {
+            Beyond::Repeat => format!("record of {} samples to {end}, again and again", record.values.len()),
+            Beyond::Zero | Beyond::Hold => format!("record of {} samples to {end}", record.values.len()),
+        };
+        line(out, "load", text)?;
     }
     for harmonic in &described.model.harmonics {
         let on = |place: usize| {
@@ -143,11 +154,13 @@ fn of_element(element: &Element<f64>, described: &Described, units: Option<&Unit
                 if *peak > 1.0 { format!(", static {} times that", digits(*peak)) } else { String::new() };
             format!("contact{between}, friction {friction}{peak}")
         }
-        Kind::Elastic { stiffness, friction } => format!(
-            "elastic contact{between}, {} up to {}",
-            with_unit(*stiffness, units, Of::Stiffness),
-            force(*friction)
-        ),
+        Kind::Elastic { stiffness, friction, normal } => {
+            let most = match normal {
+                Some(_) => format!("a coefficient of {}", digits(*friction)),
+                None => force(*friction),
+            };
+            format!("elastic contact{between}, {} up to {most}", with_unit(*stiffness, units, Of::Stiffness))
+        }
         Kind::Stop { gap, stiffness, .. } => format!(
             "stop{between} beyond {}, {}",
             with_unit(*gap, units, Of::Length),
@@ -248,7 +261,7 @@ pub(super) fn motion(described: &Described, motion: &Motion<f64>, out: &mut impl
     }
     writeln!(out, "events")?;
     for event in motion.events.iter().take(LISTED) {
-        let name = described.model.elements.get(event.element).map_or("", |element| element.name.as_str());
+        let name = described.name_of(event.element);
         let seconds = if described.units.is_some() { " s" } else { "" };
         writeln!(out, "  {:>14}{seconds}  {name}: {}", digits(event.time), event.kind)?;
     }

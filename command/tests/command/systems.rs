@@ -1,5 +1,6 @@
 //! `stickslip system` from the user's side: cases of other projects, a file of named bodies, and what is wrong with files.
 
+mod drives;
 mod pictures;
 
 use crate::command_line::{json, refused, stdout, stickslip};

@@ -3,7 +3,7 @@
 use super::described::Described;
 use serde::Serialize;
 use stickslip::inputs::units::{Kind as Of, System};
-use stickslip::system::{Border, Cycle, Element, Event, Kind, Motion, State, Steady};
+use stickslip::system::{Border, Cycle, Element, Kind, Motion, State, Steady};
 
 /// Displacements and velocities.
 #[derive(Debug, Clone, Serialize)]
@@ -31,7 +31,7 @@ struct OfElement<'a> {
 #[derive(Debug, Clone, Serialize)]
 struct OfEvent<'a> {
     time: f64,
-    /// The place of the element in the file, from 0.
+    /// The place of the element in the file, from 0; the levels follow the elements.
     element: usize,
     name: &'a str,
     kind: &'static str,
@@ -130,9 +130,6 @@ pub const fn kind_of(element: &Element<f64>) -> &'static str {
 impl<'a> Answer<'a> {
     fn of(described: &'a Described, motion: &'a Motion<f64>, start: &'a State<f64>, kind: &'a str) -> Self {
         let elements = described.model.elements.iter().zip(&motion.elements);
-        let name = |event: &Event<f64>| {
-            described.model.elements.get(event.element).map_or("", |element| element.name.as_str())
-        };
         let units = Units::of(described)
             .map(|(units, system)| Units { work: Some(system.name(Of::Energy)), ..units });
         Self {
@@ -162,7 +159,7 @@ impl<'a> Answer<'a> {
                 .map(|event| OfEvent {
                     time: event.time,
                     element: event.element,
-                    name: name(event),
+                    name: described.name_of(event.element),
                     kind: event.kind.name(),
                 })
                 .collect(),

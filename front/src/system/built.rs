@@ -1,13 +1,15 @@
 //! A described system with its motions.
 
 use super::described::{Described, base_of, shake};
+use super::node::nearest;
 use super::{file, named};
 use serde_json::Value;
+use std::f64::consts::TAU;
 use std::path::Path;
 use stickslip::Excitation;
-use stickslip::inputs::units::{Reader, System as Units};
-use stickslip::motion::record::Record;
-use stickslip::system::{Error, System};
+use stickslip::inputs::units::{Kind, Reader, System as Units};
+use stickslip::motion::record::{After, Record};
+use stickslip::system::{Beyond, Error, Level, Model, Record as Samples, System};
 
 /// The longest motion, in steps: a step is a radian of the fastest vibration, or the time of the fastest damper. A large system
 /// has [`System::most_steps`].
@@ -82,26 +84,34 @@ impl NamedSystem {
         }
         let Described { model, inertia, base, .. } = &mut self.described;
         shake(base.get_or_insert_with(|| base_of(inertia.len())), model);
-        model.records.push(named::samples(record, inertia.clone()));
+        let values = record.samples().to_vec();
+        let times = (0..values.len()).map(|i| record.time(i)).collect();
+        let beyond = if record.after() == After::Hold { Beyond::Hold } else { Beyond::Zero };
+        model.records.push(Samples { times, values, force: inertia.clone(), beyond });
         Self::of(self.described)
     }
 
     /// Under loads of another frequency: the lowest becomes this one, and all others change in proportion.
     ///
     /// # Errors
-    /// Without a harmonic load, or for a frequency that is not positive and finite.
+    /// Without a harmonic load or a record that repeats itself, or for a frequency that is not positive and finite.
     pub fn at_frequency(mut self, frequency: f64) -> Result<Self, String> {
         if !(frequency > 0.0 && frequency.is_finite()) {
             return Err("must be > 0 and finite".to_owned());
         }
-        let harmonics = &mut self.described.model.harmonics;
-        let lowest = harmonics.iter().map(|h| h.frequency).fold(f64::INFINITY, f64::min);
+        let Model { harmonics, records, .. } = &mut self.described.model;
+        let repeated = || records.iter().filter(|record| record.beyond == Beyond::Repeat).filter_map(rate);
+        let all = harmonics.iter().map(|h| h.frequency).chain(repeated());
+        let lowest = all.fold(f64::INFINITY, f64::min);
         if !lowest.is_finite() {
-            return Err("the system has no harmonic load".to_owned());
+            return Err("the system has no load that repeats itself".to_owned());
         }
         for harmonic in harmonics {
             let is_lowest = harmonic.frequency == lowest;
             harmonic.frequency = if is_lowest { frequency } else { harmonic.frequency / lowest * frequency };
+        }
+        for record in records.iter_mut().filter(|record| record.beyond == Beyond::Repeat) {
+            record.times.iter_mut().for_each(|t| *t *= lowest / frequency);
         }
         Self::of(self.described)
     }
@@ -112,11 +122,48 @@ impl NamedSystem {
         Reader::new(self.described.units.as_ref(), "units in the file")
     }
 
-    /// The end of the last record; 0 without a record.
+    /// The end of the last record, or of the first period of one that repeats itself; 0 without a record.
     #[must_use]
     pub fn end_of_records(&self) -> f64 {
         let ends = self.described.model.records.iter().filter_map(|record| record.times.last());
         ends.fold(0.0, |last: f64, &end| last.max(end))
+    }
+
+    /// The time at which a level is passed first, `NAME = VALUE`: a displacement of a body, a contact or a stop, or with `NAME.velocity` a
+    /// velocity. Its passages are events of the motions then.
+    ///
+    /// # Errors
+    /// Where there is no such name, or the value is not passed within the longest motion.
+    pub fn until_level(&mut self, typed: &str) -> Result<f64, String> {
+        let (name, value) = typed.split_once('=').ok_or_else(|| format!("{typed}: must be NAME = VALUE"))?;
+        let name = name.trim();
+        let Described { model, coordinates, .. } = &self.described;
+        let own = |name: &str| named::along(coordinates, model, name);
+        let by = |end: &str| name.strip_suffix(end).and_then(own);
+        let (direction, kind) = match (own(name), by(".velocity"), by(".displacement")) {
+            (Some(direction), ..) | (None, None, Some(direction)) => (direction, Kind::Length),
+            (None, Some(direction), _) => (direction, Kind::Velocity),
+            (None, None, None) => {
+                let names = coordinates.iter().chain(model.elements.iter().map(|element| &element.name));
+                let near = nearest(name, names.map(String::as_str));
+                return Err(format!("{typed}: {name} is neither a body nor a contact or stop. {near}"));
+            }
+        };
+        let value: f64 = self.reader().value(typed, value.trim(), kind).map_err(|e| e.to_string())?;
+        let (displacement, velocity) =
+            if kind == Kind::Velocity { (Vec::new(), direction) } else { (direction, Vec::new()) };
+        let level = self.described.model.levels.len();
+        let mut described = self.described.clone();
+        described.model.levels.push(Level { name: name.to_owned(), displacement, velocity, value });
+        *self = Self::of(described)?;
+        let steps = self.system.most_steps().min(MOST_STEPS) as f64;
+        let rate = self.system.steps_per_time();
+        let latest = if rate > 0.0 { steps / rate } else { steps * self.end_of_records().max(1.0) };
+        let found = self.system.first_passage(&self.described.start, level, latest);
+        found.map_err(|e| e.to_string())?.ok_or_else(|| {
+            let unit = if self.described.units.is_some() { " s" } else { "" };
+            format!("{typed}: is not passed within {}{unit}", stickslip::words::digits(latest))
+        })
     }
 
     /// Fails where a motion to this time has no length, or more steps than 10⁶ or the system's budget.
@@ -137,6 +184,11 @@ impl NamedSystem {
         let steps = if steps == MOST_STEPS { "10⁶".to_owned() } else { steps.to_string() };
         Err(format!("{typed}: must be ≤ {most}{unit}, {steps} steps of the fastest motion"))
     }
+}
+
+/// The angular frequency of a record that repeats itself.
+fn rate(record: &Samples<f64>) -> Option<f64> {
+    Some(TAU / (record.times.last()? - record.times.first()?))
 }
 
 /// The error of the engine, whose coordinates have the names of the file.

@@ -37,6 +37,15 @@ pub struct Described {
 }
 
 impl Described {
+    /// The name of what an event is of: an element, or a level.
+    #[must_use]
+    pub fn name_of(&self, element: usize) -> &str {
+        let Model { elements, levels, .. } = &self.model;
+        let names =
+            elements.iter().map(|element| &element.name).chain(levels.iter().map(|level| &level.name));
+        names.map(String::as_str).nth(element).unwrap_or("")
+    }
+
     /// This system, where its loads have room in memory.
     pub(super) fn checked(self) -> Result<Self, String> {
         let Model { mass, harmonics, records, elements, .. } = &self.model;
@@ -54,13 +63,14 @@ impl Described {
 
 /// The base of coordinates that are displacements over it, at rest so far.
 pub(super) fn base_of(coordinates: usize) -> Base<f64> {
-    Base { influence: vec![1.0; coordinates], acceleration: Signal::constant(0.0), records: Vec::new() }
+    Base { influence: vec![1.0; coordinates], acceleration: Signal::constant(0.0) }
 }
 
 /// Adds the record that comes next in the model to the acceleration of a base.
 pub(super) fn shake(base: &mut Base<f64>, model: &Model<f64>) {
-    base.records.resize(model.records.len(), 0.0);
-    base.records.push(1.0);
+    let records = &mut base.acceleration.records;
+    records.resize(model.records.len(), 0.0);
+    records.push(1.0);
 }
 
 /// The static friction over the kinetic one, under either name.

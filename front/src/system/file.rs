@@ -10,7 +10,7 @@ use crate::text::of_bytes;
 use serde_json::Value;
 use std::path::Path;
 use stickslip::inputs::units::{Kind as Of, Reader, System as Units};
-use stickslip::system::{Element, Harmonic, Kind, Law, Model, Normal, Record, Signal, State};
+use stickslip::system::{Beyond, Element, Harmonic, Kind, Law, Model, Normal, Record, Signal, State};
 
 /// The greatest length of a file in bytes: three matrices of the most coordinates in full digits are 3 MB.
 pub const LONGEST: usize = 1 << 23;
@@ -162,7 +162,11 @@ fn by_matrices(fields: &Fields<'_>, units: Option<Units>) -> Result<Described, S
             return Err(format!("record.times: has {} numbers, must have ≤ {MOST_SAMPLES}", times.len()));
         }
         let values = record.required("values")?.vector(times.len())?;
-        model.records.push(Record { times, values, force: record.required("force")?.vector(n)? });
+        let repeats = record
+            .get("repeats")
+            .map(|node| node.value().as_bool().ok_or_else(|| node.wrong("must be true or false")));
+        let beyond = if repeats.transpose()?.unwrap_or(false) { Beyond::Repeat } else { Beyond::Zero };
+        model.records.push(Record { times, values, force: record.required("force")?.vector(n)?, beyond });
         record.end()?;
     }
     let elements = fields.get("elements").map_or_else(|| Ok(Vec::new()), |node| node.list())?;
@@ -200,11 +204,22 @@ fn signal(node: &Node<'_>) -> Result<Signal<f64>, String> {
     let fields = node.fields()?;
     let part = |name| fields.get(name).map_or_else(|| Ok(Vec::new()), |node| node.numbers());
     let constant = fields.get("const").map_or(Ok(0.0), |node| node.number())?;
-    let found = Signal { constant, sin: part("sin")?, cos: part("cos")? };
-    // The part of a normal load that depends on the displacements is read beside it.
-    let _ = fields.get("displacement");
-    fields.end()?;
+    let (sin, cos) = (part("sin")?, part("cos")?);
+    let found = Signal { sin, cos, ..Signal::constant(constant) };
+    // The parts of a normal load that depend on the motion are read beside it.
+    fields.end_with(&["displacement", "velocity"])?;
     Ok(found)
+}
+
+/// The normal load of an element, if it has one: a signal with `displacement` and `velocity`.
+fn normal(fields: &Fields<'_>, n: usize) -> Result<Option<Normal<f64>>, String> {
+    let Some(node) = fields.get("normal") else { return Ok(None) };
+    let part = |name: &'static str| match node.value().get(name) {
+        Some(_) => node.fields()?.required(name)?.vector(n),
+        None => Ok(Vec::new()),
+    };
+    let (displacement, velocity) = (part("displacement")?, part("velocity")?);
+    Ok(Some(Normal { signal: signal(&node)?, displacement, velocity }))
 }
 
 fn element(node: &Node<'_>, i: usize, n: usize) -> Result<Element<f64>, String> {
@@ -219,16 +234,12 @@ fn element(node: &Node<'_>, i: usize, n: usize) -> Result<Element<f64>, String> 
                 (Some(node), None) => law(&node, |node, _| node.number())?,
                 (None, _) => Law::constant(number("friction")?),
             };
-            let normal = fields.get("normal").map(|node| {
-                let displacement = match node.value().get("displacement") {
-                    Some(_) => node.fields()?.required("displacement")?.vector(n)?,
-                    None => Vec::new(),
-                };
-                Ok::<_, String>(Normal { signal: signal(&node)?, displacement })
-            });
-            Kind::Contact { law, peak: peak(&fields)?, normal: normal.transpose()? }
+            Kind::Contact { law, peak: peak(&fields)?, normal: normal(&fields, n)? }
         }
-        "elastic" => Kind::Elastic { stiffness: number("stiffness")?, friction: number("friction")? },
+        "elastic" => {
+            let (stiffness, friction) = (number("stiffness")?, number("friction")?);
+            Kind::Elastic { stiffness, friction, normal: normal(&fields, n)? }
+        }
         "stop" => {
             let side = fields.get("side").map_or(Ok(1.0), |node| node.number())?;
             if side.abs() != 1.0 {

@@ -1,31 +1,21 @@
 //! Bodies by name, and springs, contacts, stops and loads between them and the ground.
 
-use super::described::{
-    Described, MOST_COORDINATES, MOST_ELEMENTS, MOST_FREQUENCIES, MOST_RECORDS, MOST_SAMPLES, base_of, law,
-    peak, shake,
-};
+use super::described::{Described, MOST_COORDINATES, MOST_ELEMENTS, base_of, law, peak};
 use super::node::{Fields, Node, check_name, nearest};
-use crate::record::{self, Options, Words};
-use crate::text::{of_bytes, open_regular};
+use super::signals::{NEEDS, add as plus};
 use serde_json::Value;
-use std::io::{BufReader, Read};
 use std::path::Path;
-use stickslip::Excitation;
-use stickslip::inputs::units::{Kind as Of, Reader, System as Units};
-use stickslip::motion::record::Record as Measured;
-use stickslip::system::{Base, Element, Harmonic, Kind, Law, Model, Normal, Record, Signal, State};
+use stickslip::inputs::units::{Kind as Of, System as Units};
+use stickslip::system::{Base, Element, Kind, Law, Level, Model, Moved, MovedBy, Normal, Signal, State};
 
 /// The name of the ground.
 const GROUND: &str = "ground";
 
-/// The greatest length of the file of a law in bytes: some 50,000 points.
-const LONGEST_LAW: u64 = 1 << 21;
-
 /// The bodies, and the system as far as it is read.
-struct Builder<'p> {
-    names: Vec<String>,
-    model: Model<f64>,
-    folder: &'p Path,
+pub(super) struct Builder<'p> {
+    pub(super) names: Vec<String>,
+    pub(super) model: Model<f64>,
+    pub(super) folder: &'p Path,
     base: Option<Base<f64>>,
 }
 
@@ -58,7 +48,8 @@ pub(super) fn described(root: &Node<'_>, folder: &Path, units: Units) -> Result<
         }
         let mass = if node.value().is_object() {
             let body = node.fields()?;
-            let mass = body.required("mass")?;
+            let moves = body.get("moves");
+            let mass = if moves.is_some() { body.get("mass") } else { Some(body.required("mass")?) };
             for (field, kind, place) in [
                 ("start", Of::Length, &mut start.displacement),
                 ("velocity", Of::Velocity, &mut start.velocity),
@@ -67,11 +58,15 @@ pub(super) fn described(root: &Node<'_>, folder: &Path, units: Units) -> Result<
                     *place = node.quantity(kind)?;
                 }
             }
+            if let Some(node) = moves {
+                builder.moved(&node, &body, i)?;
+            }
             body.end()?;
             mass
         } else {
-            node.clone()
+            Some(node.clone())
         };
+        let Some(mass) = mass else { continue };
         let value = mass.quantity(Of::Mass)?;
         if value <= 0.0 {
             return Err(mass.wrong("must be > 0"));
@@ -93,6 +88,9 @@ pub(super) fn described(root: &Node<'_>, folder: &Path, units: Units) -> Result<
     }
     if let Some(base) = fields.get("base") {
         builder.base(&base)?;
+    }
+    for node in lists("levels")? {
+        builder.level(&node.fields()?)?;
     }
     let _ = fields.get("units");
     let _ = fields.get("about");
@@ -132,7 +130,10 @@ impl Builder<'_> {
 
     /// The direction of `between = [first, second]`: of the second body in relation to the first.
     fn direction(&self, fields: &Fields<'_>) -> Result<(Vec<f64>, [Option<usize>; 2]), String> {
-        let node = fields.required("between")?;
+        self.direction_of(&fields.required("between")?)
+    }
+
+    fn direction_of(&self, node: &Node<'_>) -> Result<(Vec<f64>, [Option<usize>; 2]), String> {
         let list = node.list()?;
         let [first, second] = list.as_slice() else {
             return Err(node.wrong("must be two names, such as [\"ground\", \"block\"]"));
@@ -199,7 +200,7 @@ impl Builder<'_> {
         let name = self.name(fields)?;
         let friction = self.friction(fields)?;
         let moves = match fields.get("moves") {
-            Some(node) => self.motion(&node)?,
+            Some(node) => self.side(&node)?,
             None => Signal::constant(0.0),
         };
         let elastic = fields.get("stiffness");
@@ -210,14 +211,15 @@ impl Builder<'_> {
         }
         let kind = match elastic {
             Some(node) => match friction {
-                Friction { law: Law { points }, normal: None } if points.len() == 1 => Kind::Elastic {
+                Friction { law: Law { points }, normal } if points.len() == 1 => Kind::Elastic {
                     stiffness: node.quantity(Of::Stiffness)?,
                     friction: points.first().map_or(0.0, |point| point.1),
+                    normal,
                 },
                 Friction { .. } => {
-                    return Err(node.wrong(
-                        "an elastic contact has one friction force, without a law or a variable load",
-                    ));
+                    return Err(
+                        node.wrong("an elastic contact has one friction force or coefficient, without a law")
+                    );
                 }
             },
             None => Kind::Contact { law: friction.law, peak: peak(fields)?, normal: friction.normal },
@@ -247,9 +249,8 @@ impl Builder<'_> {
                 return Err(node.wrong("needs normal_load, the force that presses the surfaces together"));
             };
             let coefficient = node.not_negative(Of::Ratio)?;
-            if load.value().is_object() {
-                let signal = self.signal(&load, Of::Force)?;
-                let normal = Some(Normal { signal, displacement: Vec::new() });
+            if load.value().is_object() || load.value().is_array() {
+                let normal = Some(self.normal(&load)?);
                 return Ok(Friction { law: Law::constant(coefficient), normal });
             }
             let friction = coefficient * load.not_negative(Of::Force)?;
@@ -261,7 +262,7 @@ impl Builder<'_> {
         let law = match (force, table) {
             (Some(node), _) => Law::constant(node.not_negative(Of::Force)?),
             (None, Some(node)) if node.value().is_string() => {
-                self.law_of_file(&node).map_err(|e| format!("{}: {e}", node.place()))?
+                Law { points: self.columns(&node, [Of::Velocity, Of::Force], None)? }
             }
             (None, Some(node)) => {
                 law(&node, |node, i| node.not_negative(if i == 0 { Of::Velocity } else { Of::Force }))?
@@ -271,102 +272,124 @@ impl Builder<'_> {
         Ok(Friction { law, normal: None })
     }
 
-    /// A law from a CSV file of two columns: speed and force.
-    fn law_of_file(&self, node: &Node<'_>) -> Result<Law<f64>, String> {
-        let file = self.folder.join(node.text()?);
-        let name = file.display().to_string();
-        let bad = |e: &dyn std::fmt::Display| format!("{name}: {e}");
-        let mut bytes = Vec::new();
-        let source = open_regular(&file).map_err(|e| bad(&e))?;
-        source.take(LONGEST_LAW + 1).read_to_end(&mut bytes).map_err(|e| bad(&e))?;
-        if bytes.len() as u64 > LONGEST_LAW {
-            return Err(bad(&format!("must be ≤ {LONGEST_LAW} bytes")));
+    /// The normal load of a contact: its parts over time, an acceleration upwards, and a spring.
+    fn normal(&mut self, node: &Node<'_>) -> Result<Normal<f64>, String> {
+        if node.value().is_array() {
+            let signal = self.signal(node, Of::Force)?;
+            return Ok(Normal { signal, displacement: Vec::new(), velocity: Vec::new() });
         }
-        let text = of_bytes(bytes).map_err(|e| bad(&e))?;
-        let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text.as_bytes());
-        let header = reader.headers().map_err(|e| bad(&e))?.clone();
-        let mut kinds = [Of::Velocity, Of::Force].into_iter().zip(&header).map(|(kind, text)| {
-            let (_, unit) = crate::names::name_and_unit(text);
-            (kind, unit.map(str::to_owned))
-        });
-        let (Some(speed), Some(force)) = (kinds.next(), kinds.next()) else {
-            return Err(bad(&"must have the columns speed and force"));
+        let fields = node.fields()?;
+        let others = ["vertical", "between", "stiffness", "damping"];
+        let found = self.signal_of(&fields, Of::Force, &others)?;
+        if found.is_none() && fields.get("between").is_none() {
+            fields.end()?;
+            return Err(node.wrong(NEEDS));
+        }
+        let mut signal = found.unwrap_or_else(|| Signal::constant(0.0));
+        if let Some(vertical) = fields.get("vertical") {
+            let weight = fields.required("constant")?.quantity(Of::Force)?;
+            let acceleration = self.over_time(&vertical, &fields, Of::Acceleration)?;
+            let gravity: f64 =
+                node.reader().value("g", "1 g", Of::Acceleration).map_err(|e| e.to_string())?;
+            plus(&mut signal, weight / gravity, &acceleration);
+        }
+        let (mut displacement, mut velocity) = (Vec::new(), Vec::new());
+        let spring = [fields.get("stiffness"), fields.get("damping")];
+        let between = fields.get("between");
+        if let (None, Some(node)) = (&between, spring.iter().flatten().next()) {
+            return Err(node.wrong("needs between, the two ends of the spring that presses"));
+        }
+        if let Some(between) = between {
+            let (direction, _) = self.direction_of(&between)?;
+            let stiffness = fields.required("stiffness")?.quantity(Of::Stiffness)?;
+            let damping = fields.quantity_or("damping", Of::Damping, 0.0)?;
+            displacement = direction.iter().map(|b| stiffness * b).collect();
+            velocity = direction.iter().map(|b| damping * b).collect();
+        }
+        fields.end()?;
+        Ok(Normal { signal, displacement, velocity })
+    }
+
+    /// The velocity of a contact's other side.
+    fn side(&mut self, node: &Node<'_>) -> Result<Signal<f64>, String> {
+        let (by, signal) = self.motion(node)?;
+        match by {
+            MovedBy::Velocity => Ok(signal),
+            MovedBy::Displacement => {
+                Ok(Signal { rates: signal.records.clone(), ..self.derivative(&signal) })
+            }
+            MovedBy::Acceleration if signal.records.is_empty() && signal.constant == 0.0 => {
+                Ok(self.integral(&signal))
+            }
+            MovedBy::Acceleration => Err(node.wrong(
+                "must be waves where it is an acceleration: otherwise name a body with this motion among the masses, and put the \
+                 contact between both bodies",
+            )),
+        }
+    }
+
+    /// A body whose motion is prescribed.
+    fn moved(&mut self, node: &Node<'_>, body: &Fields<'_>, coordinate: usize) -> Result<(), String> {
+        let (by, mut signal) = self.motion(node)?;
+        let starts: &[&'static str] = match by {
+            MovedBy::Displacement => &["start", "velocity"],
+            MovedBy::Velocity => &["velocity"],
+            MovedBy::Acceleration => &[],
         };
-        let mut points = Vec::new();
-        for (line, row) in reader.records().enumerate() {
-            let row = row.map_err(|e| bad(&e))?;
-            let value = |i: usize, (kind, unit): &(Of, Option<String>)| {
-                let text = format!("{}{}", row.get(i).unwrap_or(""), unit.as_deref().unwrap_or(""));
-                let place = format!("{name}, line {}", line.saturating_add(2));
-                node.reader().value::<f64>(&place, &text, *kind).map_err(|e| e.to_string())
-            };
-            points.push((value(0, &speed)?, value(1, &force)?));
+        if let Some(node) = starts.iter().find_map(|name| body.get(name)) {
+            return Err(node.wrong("must be left out: the motion prescribes it"));
         }
-        Ok(Law { points })
+        let mut moved = vec![(by, signal.clone())];
+        if by == MovedBy::Acceleration && !(signal.sin.is_empty() && signal.cos.is_empty()) {
+            // Waves of an acceleration have a velocity with the mean 0.
+            let waves = self.integral(&signal);
+            (signal.sin, signal.cos) = (Vec::new(), Vec::new());
+            if signal != Signal::constant(0.0) {
+                return Err(node.wrong("must be either waves or a record where it is an acceleration"));
+            }
+            moved = vec![(MovedBy::Velocity, waves)];
+        }
+        let all = moved.into_iter().map(|(by, signal)| Moved { coordinate, by, signal });
+        self.model.moved.extend(all);
+        Ok(())
     }
 
     fn stop(&mut self, fields: &Fields<'_>) -> Result<(), String> {
         let (direction, _) = self.direction(fields)?;
         let name = self.name(fields)?;
-        let kind = Kind::Stop {
-            gap: fields.required("gap")?.quantity(Of::Length)?,
-            stiffness: fields.required("stiffness")?.quantity(Of::Stiffness)?,
-            damping: fields.quantity_or("damping", Of::Damping, 0.0)?,
+        let gap = fields.required("gap")?.quantity(Of::Length)?;
+        let stiffness = fields.required("stiffness")?.quantity(Of::Stiffness)?;
+        let damping = fields.quantity_or("damping", Of::Damping, 0.0)?;
+        let (along, ratio) = (fields.get("along"), peak(fields)?);
+        if let (Some(node), None) = (&along, fields.get("coefficient")) {
+            return Err(node.wrong("needs the coefficient of a friction"));
+        }
+        let friction = match fields.get("coefficient") {
+            Some(node) if damping != 0.0 => {
+                return Err(node.wrong(
+                    "must be left out of a stop with damping: its force, and with it the friction, would begin at once",
+                ));
+            }
+            Some(node) => {
+                let along = along.map_or_else(|| fields.required("along"), Ok)?;
+                let along = self.direction_of(&along)?.0;
+                let law = Law::constant(node.not_negative(Of::Ratio)?);
+                let displacement = direction.iter().map(|b| stiffness * b).collect();
+                let signal = Signal::constant(-(stiffness * gap));
+                let normal = Some(Normal { signal, displacement, velocity: Vec::new() });
+                Some((along, Kind::Contact { law, peak: ratio, normal }))
+            }
+            None => None,
         };
         fields.end()?;
-        self.model.elements.push(Element { name, direction, moves: Signal::constant(0.0), kind });
+        let moves = Signal::constant(0.0);
+        let kind = Kind::Stop { gap, stiffness, damping };
+        self.model.elements.push(Element { name: name.clone(), direction, moves: moves.clone(), kind });
+        if let Some((direction, kind)) = friction {
+            let name = format!("{name} friction");
+            self.model.elements.push(Element { name, direction, moves, kind });
+        }
         Ok(())
-    }
-
-    /// The place of a frequency among the harmonics, to which it is added where it is new.
-    fn harmonic(&mut self, node: &Node<'_>) -> Result<usize, String> {
-        let frequency = node.quantity(Of::Frequency)?;
-        if frequency <= 0.0 {
-            return Err(node.wrong("must be > 0"));
-        }
-        let (n, harmonics) = (self.names.len(), &mut self.model.harmonics);
-        if let Some(place) = harmonics.iter().position(|harmonic| harmonic.frequency == frequency) {
-            return Ok(place);
-        }
-        let place = harmonics.len();
-        if place == MOST_FREQUENCIES {
-            return Err(node.wrong(&format!("must be one of ≤ {MOST_FREQUENCIES} frequencies in the file")));
-        }
-        harmonics.push(Harmonic { frequency, sin: vec![0.0; n], cos: vec![0.0; n] });
-        Ok(place)
-    }
-
-    /// A harmonic `{ amplitude, frequency, phase }`: the place of its frequency, and its parts in phase with the sine and
-    /// with the cosine.
-    fn wave(&mut self, fields: &Fields<'_>, kind: Of) -> Result<(usize, [f64; 2]), String> {
-        let amplitude = fields.required("amplitude")?.quantity(kind)?;
-        let place = self.harmonic(&fields.required("frequency")?)?;
-        let (sine, cosine) = fields.quantity_or("phase", Of::Angle, 0.0)?.sin_cos();
-        Ok((place, [amplitude * cosine, amplitude * sine]))
-    }
-
-    /// A constant, or a constant with a harmonic: `{ constant, amplitude, frequency, phase }`.
-    fn signal(&mut self, node: &Node<'_>, kind: Of) -> Result<Signal<f64>, String> {
-        if !node.value().is_object() {
-            return Ok(Signal::constant(node.quantity(kind)?));
-        }
-        let fields = node.fields()?;
-        let mut signal = Signal::constant(fields.quantity_or("constant", kind, 0.0)?);
-        if fields.get("amplitude").is_some() {
-            let (place, [sin, cos]) = self.wave(&fields, kind)?;
-            signal.sin = vec![0.0; place.saturating_add(1)];
-            signal.cos = signal.sin.clone();
-            if let (Some(to), Some(into)) = (signal.sin.last_mut(), signal.cos.last_mut()) {
-                (*to, *into) = (sin, cos);
-            }
-        }
-        fields.end()?;
-        Ok(signal)
-    }
-
-    /// The velocity of a contact's other side: of a belt, or of a harmonic motion of the surface.
-    fn motion(&mut self, node: &Node<'_>) -> Result<Signal<f64>, String> {
-        self.signal(node, Of::Velocity)
     }
 
     fn force(&mut self, fields: &Fields<'_>) -> Result<(), String> {
@@ -376,104 +399,98 @@ impl Builder<'_> {
         };
         fields.get("name").map_or(Ok(""), |node| node.name())?;
         let force = unit(self.names.len(), i);
-        match (fields.get("record"), fields.get("constant"), fields.get("amplitude")) {
-            (Some(node), None, None) => self.record(&node, Excitation::Force, force)?,
-            (None, Some(node), None) => {
-                if let Some(place) = self.model.constant.get_mut(i) {
-                    *place += node.quantity(Of::Force)?;
-                }
-            }
-            (None, None, Some(_)) => {
-                let (place, parts) = self.wave(fields, Of::Force)?;
-                self.load(place, parts, &force);
-            }
-            (record, constant, amplitude) => {
-                // A misspelt name says more than a missing one.
-                fields.end_with(&["frequency", "phase"])?;
-                let is_given = record.or(constant).or(amplitude).is_some();
-                let what = if is_given { "must have only" } else { "needs" };
-                let one = "one of amplitude with frequency, constant, and record";
-                return Err(fields.node.wrong(&format!("{what} {one}")));
-            }
-        }
-        fields.end()
+        let found = self.signal_of(fields, Of::Force, &["name"])?;
+        // A misspelt name says more than a missing one.
+        fields.end()?;
+        let signal = found.ok_or_else(|| fields.node.wrong(NEEDS))?;
+        self.load(&signal, &force);
+        Ok(())
     }
 
-    /// Adds a load at a frequency.
-    fn load(&mut self, place: usize, [sin, cos]: [f64; 2], force: &[f64]) {
-        if let Some(harmonic) = self.model.harmonics.get_mut(place) {
-            for (i, share) in force.iter().enumerate() {
-                for (part, size) in [(&mut harmonic.sin, sin), (&mut harmonic.cos, cos)] {
-                    if let Some(place) = part.get_mut(i) {
-                        *place += size * share;
-                    }
-                }
+    /// A value whose passage is an event.
+    fn level(&mut self, fields: &Fields<'_>) -> Result<(), String> {
+        let on = match (fields.get("on"), fields.get("between")) {
+            (Some(_), Some(node)) => return Err(node.wrong("must be left out beside on")),
+            (None, Some(node)) => self.direction_of(&node)?.0,
+            (on, None) => {
+                let node = on.map_or_else(|| fields.required("on"), Ok)?;
+                let found = along(&self.names, &self.model, node.text()?);
+                found.ok_or_else(|| {
+                    let names =
+                        self.names.iter().chain(self.model.elements.iter().map(|element| &element.name));
+                    let near = nearest(node.text().unwrap_or(""), names.map(String::as_str));
+                    node.wrong(&format!("is neither a body nor a contact or stop. {near}"))
+                })?
             }
-        }
+        };
+        let name = match fields.get("name") {
+            Some(node) => node.name()?.to_owned(),
+            None => fields.node.place().to_owned(),
+        };
+        let (displacement, velocity, value) = match (fields.get("displacement"), fields.get("velocity")) {
+            (Some(node), None) => (on, Vec::new(), node.quantity(Of::Length)?),
+            (None, Some(node)) => (Vec::new(), on, node.quantity(Of::Velocity)?),
+            (given, _) => {
+                fields.end()?;
+                let what = if given.is_some() { "must have only" } else { "needs" };
+                return Err(fields.node.wrong(&format!("{what} one of displacement and velocity")));
+            }
+        };
+        fields.end()?;
+        self.model.levels.push(Level { name, displacement, velocity, value });
+        Ok(())
     }
 
     /// The motion of the base, over which all displacements are measured.
     fn base(&mut self, node: &Node<'_>) -> Result<(), String> {
         let fields = node.fields()?;
-        let acceleration = fields.required("acceleration")?;
-        let force = self.inertia();
-        let mut base = base_of(force.len());
-        if acceleration.value().is_object() {
-            let wave = acceleration.fields()?;
-            let (place, parts) = self.wave(&wave, Of::Acceleration)?;
-            wave.end()?;
-            self.load(place, parts, &force);
-            let Signal { sin, cos, .. } = &mut base.acceleration;
-            for (list, part) in [sin, cos].into_iter().zip(parts) {
-                list.resize(place, 0.0);
-                list.push(part);
-            }
-        } else {
-            shake(&mut base, &self.model);
-            self.record(&acceleration, Excitation::SurfaceAcceleration, force)?;
+        let kinds = [
+            ("acceleration", MovedBy::Acceleration, Of::Acceleration),
+            ("velocity", MovedBy::Velocity, Of::Velocity),
+            ("displacement", MovedBy::Displacement, Of::Length),
+        ];
+        let mut given = kinds.iter().filter_map(|(name, by, kind)| Some((fields.get(name)?, *by, *kind)));
+        let Some((node, by, kind)) = given.next() else {
+            return Err(fields.required("acceleration").map_or_else(|e| e, |node| node.wrong("is missing")));
+        };
+        if let Some((other, ..)) = given.next() {
+            return Err(other.wrong("must be left out beside another quantity of the motion"));
         }
+        drop(given);
+        let signal = self.over_time(&node, &fields, kind)?;
+        let acceleration = match by {
+            MovedBy::Acceleration => signal,
+            MovedBy::Velocity => {
+                let Signal { records, .. } = self.slopes(&node, &signal)?;
+                Signal { records, ..self.derivative(&signal) }
+            }
+            MovedBy::Displacement if signal.records.is_empty() => self.derivative(&self.derivative(&signal)),
+            MovedBy::Displacement => {
+                return Err(node.wrong(
+                    "must be waves: the velocity between straight lines changes at once. Give the record of its velocity or \
+                     acceleration, or a body that moves in place of the ground",
+                ));
+            }
+        };
+        let force = self.inertia();
+        self.load(&acceleration, &force);
+        let base = Base { acceleration, ..base_of(force.len()) };
         self.base = Some(base);
         fields.end()
     }
-
-    /// A record from a file beside this one.
-    fn record(&mut self, node: &Node<'_>, of: Excitation, force: Vec<f64>) -> Result<(), String> {
-        let file = self.folder.join(node.text()?);
-        let record = of_file(&file, &file.display().to_string(), node.reader())
-            .map_err(|e| format!("{}: {e}", node.place()))?;
-        if record.excitation() != of {
-            return Err(node.wrong(&format!("must be a record of {}", of.name())));
-        }
-        let others = &self.model.records;
-        let count = others.iter().fold(record.samples().len(), |sum, of| sum.saturating_add(of.times.len()));
-        if count > MOST_SAMPLES || others.len() == MOST_RECORDS {
-            let most =
-                format!("must be one of ≤ {MOST_RECORDS} records, with ≤ {MOST_SAMPLES} samples together");
-            return Err(node.wrong(&most));
-        }
-        self.model.records.push(samples(&record, force));
-        Ok(())
-    }
-}
-
-/// The record of a file in these units.
-fn of_file(file: &Path, name: &str, reader: &Reader) -> Result<Measured<f64>, String> {
-    let opened = open_regular(file).map_err(|e| format!("{name}: {e}"))?;
-    let found = record::read(BufReader::new(opened), &Options::new(name, reader, Words::COMMAND))?;
-    Ok(found.record)
-}
-
-/// The samples of a record, with the force on each body where they are 1.
-pub(super) fn samples(record: &Measured<f64>, force: Vec<f64>) -> Record<f64> {
-    let values = record.samples().to_vec();
-    let times = (0..values.len()).map(|i| record.time(i)).collect();
-    Record { times, values, force }
 }
 
 /// The friction of a contact, and its normal load where it varies.
 struct Friction {
     law: Law<f64>,
     normal: Option<Normal<f64>>,
+}
+
+/// The direction of a body or of an element by its name.
+pub(super) fn along(bodies: &[String], model: &Model<f64>, name: &str) -> Option<Vec<f64>> {
+    let body = bodies.iter().position(|own| own == name).map(|place| unit(bodies.len(), place));
+    let element = || model.elements.iter().find(|element| element.name == name);
+    body.or_else(|| element().map(|element| element.direction.clone()))
 }
 
 /// 1 at a place, and 0 elsewhere.

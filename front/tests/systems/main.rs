@@ -2,17 +2,26 @@
 #![cfg(feature = "system")]
 
 mod bounds;
+mod drives;
 mod hostile;
 mod schema;
 mod wrong;
 
 use serde_json::{Value, json};
+use std::path::Path;
+use stickslip_front::system::{NamedSystem, parsed};
+
+/// The system of a text.
+fn named(text: &str) -> NamedSystem {
+    let value = parsed(text, "machine.toml").unwrap();
+    NamedSystem::new(&value, [], Path::new(""), None).unwrap_or_else(|e| panic!("{e}\n{text}"))
+}
 
 /// Every field of bodies by name.
 fn by_names() -> Value {
     json!({
         "units": "N,mm",
-        "masses": {"block": "1 t", "roof": {"mass": "500 kg", "start": "3 mm", "velocity": "1 mm/s"}},
+        "masses": {"table": {"moves": {"displacement": {"amplitude": 2, "frequency": 4, "shape": "triangle"}}}, "block": "1 t", "roof": {"mass": "500 kg", "start": "3 mm", "velocity": "1 mm/s"}},
         "springs": [
             {"between": ["ground", "block"], "stiffness": "200 N/mm", "damping": "0.3 N*s/mm"},
             {"between": ["block", "roof"], "stiffness": 300},
@@ -20,11 +29,21 @@ fn by_names() -> Value {
         "contacts": [
             {"name": "bearing", "between": ["ground", "block"], "friction": "450 N", "peak": 1.2},
             {"between": ["block", "roof"], "law": [[0, 40], ["10 mm/s", 30]], "moves": {"amplitude": 3, "frequency": 2}},
-            {"between": ["ground", "roof"], "coefficient": 0.1, "normal_load": {"constant": 90, "amplitude": 20, "frequency": 3}},
+            {"between": ["ground", "roof"], "coefficient": 0.1, "normal_load": {"constant": 90, "amplitude": 20, "frequency": 3, "vertical": {"amplitude": "0.1 g", "frequency": 5}}},
+            {"between": ["table", "roof"], "coefficient": 0.2, "stiffness": "5 N/mm",
+                "normal_load": {"constant": 9, "between": ["ground", "block"], "stiffness": 2, "damping": 0.1}},
             {"between": ["ground", "roof"], "friction": "10 N", "stiffness": "5 N/mm"},
         ],
-        "stops": [{"between": ["ground", "roof"], "gap": "9 mm", "stiffness": "1 kN/mm", "damping": 0.1}],
-        "forces": [{"on": "roof", "amplitude": "1.5 kN", "frequency": "3 Hz", "phase": "30deg"}, {"on": "block", "constant": 5}],
+        "stops": [
+            {"between": ["ground", "roof"], "gap": "9 mm", "stiffness": "1 kN/mm", "damping": 0.1},
+            {"between": ["ground", "roof"], "gap": "9 mm", "stiffness": 3, "coefficient": 0.3, "along": ["ground", "block"]},
+        ],
+        "forces": [
+            {"on": "roof", "amplitude": "1.5 kN", "frequency": "3 Hz", "phase": "30deg"},
+            {"on": "block", "constant": 5, "waves": [{"amplitude": 1, "frequency": 2, "shape": "square", "duty": 0.3}]},
+            {"on": "block", "amplitude": 5, "sweep": {"from": "1 Hz", "to": "2 Hz", "duration": "1 s", "tolerance": 0.1}},
+        ],
+        "levels": [{"on": "roof", "displacement": "1 mm"}, {"name": "fast", "between": ["block", "roof"], "velocity": 3}],
         "base": {"acceleration": {"amplitude": "0.1 g", "frequency": "2 Hz"}},
     })
 }

@@ -22,6 +22,7 @@ fn fits(value: &Value, of: &Value, all: &Value) -> bool {
         "string" => value.is_string(),
         "number" => value.is_number(),
         "null" => value.is_null(),
+        "boolean" => value.is_boolean(),
         other => panic!("{other}"),
     };
     let has_type = match of.get("type") {
@@ -106,11 +107,14 @@ fn the_schema_has_the_fields_of_the_reader() {
         ("stop", "/stops/0", by_names()),
         ("force", "/forces/0", by_names()),
         ("base", "/base", by_names()),
-        ("wave", "/base/acceleration", by_names()),
+        ("signal", "/base/acceleration", by_names()),
         ("signal", "/contacts/1/moves", by_names()),
+        ("motion", "/masses/table/moves", by_names()),
+        ("sweep", "/forces/2/sweep", by_names()),
+        ("level", "/levels/0", by_names()),
         ("matrices", "", by_matrices()),
         ("harmonic", "/harmonics/0", by_matrices()),
-        ("signal", "/contacts/2/normal_load", contact("/contacts/0/friction", &json!(1))),
+        ("normal", "/contacts/2/normal_load", contact("/contacts/0/friction", &json!(1))),
     ];
     for (name, path, value) in tables {
         let own: BTreeSet<String> =

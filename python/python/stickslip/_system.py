@@ -218,21 +218,24 @@ class System:
 
     Parameters
     ----------
-    masses : dict of str to a mass, or to a dict with mass, start and velocity
+    masses : dict of str to a mass, or to a dict with mass, start and velocity, or with moves, its prescribed motion
     springs : list of dict
         ``between`` two bodies or ``"ground"``, ``stiffness``, ``damping``.
     contacts : list of dict
         ``between``, and ``friction``, or ``coefficient`` and ``normal_load``, or ``law``, a list of pairs of a speed and a
-        force. ``peak`` (static over kinetic friction), ``stiffness`` (of an elastic contact), ``moves`` (the velocity of the
+        force. ``peak`` (static over kinetic friction), ``stiffness`` (of an elastic contact), ``moves`` (the motion of the
         other side) and ``name`` may be left out.
     stops : list of dict
         ``between``, ``gap``, ``stiffness``, ``damping``.
     forces : list of dict
-        ``on`` a body: ``amplitude``, ``frequency`` and ``phase``, or ``constant``, or ``record``, a file. A bare frequency is in
+        ``on`` a body: ``amplitude``, ``frequency``, ``phase`` and ``shape``, and ``constant``, and ``record``, a file that may
+        have ``repeats``. A bare frequency is in
         hertz, and ``angular_frequency`` in its place in radians per second, here and wherever a dict has a frequency; in a file,
         which `System.read` reads, bare frequencies are in radians per second.
     base : dict
-        ``acceleration``, a file or a dict with ``amplitude`` and ``frequency``.
+        ``acceleration`` or ``velocity``, a file or a dict with ``amplitude`` and ``frequency``.
+    levels : list of dict
+        ``on`` a body, or ``between`` two: ``displacement`` or ``velocity``, whose passage is an event.
     units : str
         Such as ``"N,mm"``.
     mass, damping, stiffness : matrix
@@ -278,6 +281,7 @@ class System:
         stops: Optional[Sequence[Mapping[str, Any]]] = None,
         forces: Optional[Sequence[Mapping[str, Any]]] = None,
         base: Optional[Mapping[str, Any]] = None,
+        levels: Optional[Sequence[Mapping[str, Any]]] = None,
         units: Optional[str] = None,
         mass: Optional[ArrayLike] = None,
         damping: Optional[ArrayLike] = None,
@@ -296,6 +300,7 @@ class System:
             "stops": stops,
             "forces": forces,
             "base": base,
+            "levels": levels,
             "units": units,
             "mass": mass,
             "damping": damping,
@@ -605,12 +610,15 @@ _ONE_OF_TWO = "give one of frequency (in Hz) and angular_frequency (in rad/s)"
 def _bare(name: str) -> str:
     """The unit of bare numbers in a place, if they have one of their own. A body may have any name."""
     place, _, last = name.rpartition(".")
+    if last in ("from", "to") and place.endswith(".sweep"):
+        return "Hz"
     return "" if place == "masses" else _BARE.get(last, "")
 
 
 def _path(path: str) -> str:
     """A path in the words of the file, which has one frequency."""
-    return path.removesuffix("frequency").removesuffix("angular_") + "frequency" if _bare(path) else path
+    is_frequency = path.rpartition(".")[2] in _BARE and _bare(path)
+    return path.removesuffix("frequency").removesuffix("angular_") + "frequency" if is_frequency else path
 
 
 def _typed(name: str, value: Any) -> str:

@@ -1,0 +1,529 @@
+//! Quantities over time: constants, waves, shapes by name, sweeps and records, alone or in a sum.
+
+use super::described::{MOST_FREQUENCIES, MOST_RECORDS, MOST_SAMPLES};
+use super::named::Builder;
+use super::node::{Fields, Node, nearest};
+use crate::record::{self, Cut, Options, Words};
+use crate::text::{of_bytes, open_regular};
+use std::f64::consts::TAU;
+use std::io::{BufReader, Read};
+use stickslip::Excitation;
+use stickslip::inputs::units::Kind as Of;
+use stickslip::motion::record::{After, Record as Measured};
+use stickslip::system::{Beyond, Harmonic, MovedBy, Record, Signal};
+
+/// The greatest length of the file of a table of two columns in bytes: some 50,000 rows.
+const LONGEST_TABLE: u64 = 1 << 21;
+/// By how much a sweep may differ from the straight lines between its samples, in parts of its amplitude.
+const TOLERANCE: f64 = 1e-5;
+
+/// The fields of a record beside its file.
+const OPTIONS: [&str; 9] =
+    ["column", "scale", "from", "to", "units", "time_step", "skip", "repeats", "after"];
+
+/// The fields of a wave beside its amplitude.
+const WAVE: [&str; 5] = ["frequency", "phase", "shape", "duty", "sweep"];
+
+/// What a table of a quantity over time needs.
+pub(super) const NEEDS: &str = "needs one of amplitude with frequency, constant, waves, and record";
+
+/// The factor of an entry, 0 where a list ends early.
+pub(super) fn at(list: &[f64], i: usize) -> f64 {
+    list.get(i).copied().unwrap_or(0.0)
+}
+
+/// Adds to an entry of a list, which grows to it.
+fn add_at(list: &mut Vec<f64>, i: usize, by: f64) {
+    list.resize(list.len().max(i.saturating_add(1)), 0.0);
+    if let Some(place) = list.get_mut(i) {
+        *place += by;
+    }
+}
+
+/// Adds a signal with a factor.
+pub(super) fn add(to: &mut Signal<f64>, factor: f64, signal: &Signal<f64>) {
+    to.constant += factor * signal.constant;
+    let lists = [
+        (&mut to.sin, &signal.sin),
+        (&mut to.cos, &signal.cos),
+        (&mut to.records, &signal.records),
+        (&mut to.rates, &signal.rates),
+    ];
+    for (to, from) in lists {
+        from.iter().enumerate().for_each(|(i, by)| add_at(to, i, factor * by));
+    }
+}
+
+impl Builder<'_> {
+    /// A quantity over time: a quantity, a table of its parts, or a list of both, whose sum it is.
+    pub(super) fn signal(&mut self, node: &Node<'_>, kind: Of) -> Result<Signal<f64>, String> {
+        if node.value().is_array() {
+            let mut sum = Signal::constant(0.0);
+            for part in node.list()? {
+                add(&mut sum, 1.0, &self.signal(&part, kind)?);
+            }
+            return Ok(sum);
+        }
+        if !node.value().is_object() {
+            return Ok(Signal::constant(node.quantity(kind)?));
+        }
+        let fields = node.fields()?;
+        let found = self.signal_of(&fields, kind, &[])?;
+        fields.end()?;
+        found.ok_or_else(|| fields.node.wrong(NEEDS))
+    }
+
+    /// The sum of the parts in a table: `constant`, a wave, `waves` and a record; none where it has none of them. The table may have
+    /// these other fields.
+    pub(super) fn signal_of(
+        &mut self,
+        fields: &Fields<'_>,
+        kind: Of,
+        others: &[&'static str],
+    ) -> Result<Option<Signal<f64>>, String> {
+        let mut sum = None;
+        if fields.get("amplitude").is_none()
+            && let Some(node) = WAVE.iter().filter_map(|name| fields.get(name)).reduce(|first, _| first)
+        {
+            // A misspelt name says more than a missing one.
+            fields.end_with(&["constant", "waves", "file", "record"])?;
+            fields.end_with(others)?;
+            return Err(node.wrong("needs an amplitude"));
+        }
+        let mut plus =
+            |signal: &Signal<f64>| add(sum.get_or_insert_with(|| Signal::constant(0.0)), 1.0, signal);
+        if let Some(node) = fields.get("constant") {
+            plus(&Signal::constant(node.quantity(kind)?));
+        }
+        if fields.get("amplitude").is_some() {
+            plus(&self.wave(fields, kind)?);
+        }
+        if let Some(node) = fields.get("waves") {
+            for wave in node.list()? {
+                plus(&self.signal(&wave, kind)?);
+            }
+        }
+        match (fields.get("file"), fields.get("record")) {
+            (Some(_), Some(node)) => {
+                return Err(node.wrong("must be left out beside file, which is the same"));
+            }
+            (Some(node), None) | (None, Some(node)) => plus(&self.recorded(&node, fields, kind)?),
+            (None, None) => without_options(fields)?,
+        }
+        Ok(sum)
+    }
+
+    /// The place of a frequency among the harmonics, to which it is added where it is new.
+    fn harmonic(&mut self, node: &Node<'_>) -> Result<usize, String> {
+        let frequency = frequency(node)?;
+        let (n, harmonics) = (self.names.len(), &mut self.model.harmonics);
+        if let Some(place) = harmonics.iter().position(|harmonic| harmonic.frequency == frequency) {
+            return Ok(place);
+        }
+        let place = harmonics.len();
+        if place == MOST_FREQUENCIES {
+            return Err(node.wrong(&format!("must be one of ≤ {MOST_FREQUENCIES} frequencies in the file")));
+        }
+        harmonics.push(Harmonic { frequency, sin: vec![0.0; n], cos: vec![0.0; n] });
+        Ok(place)
+    }
+
+    /// A wave `{ amplitude, frequency, phase, shape, duty }`, or `{ amplitude, sweep }`.
+    fn wave(&mut self, fields: &Fields<'_>, kind: Of) -> Result<Signal<f64>, String> {
+        let mut signal = Signal::constant(0.0);
+        let node = fields.required("amplitude")?;
+        let amplitude = node.quantity(kind)?;
+        if let Some(sweep) = fields.get("sweep") {
+            for name in ["frequency", "phase", "shape", "duty"] {
+                if let Some(node) = fields.get(name) {
+                    return Err(node.wrong("must be left out beside sweep"));
+                }
+            }
+            let record = swept(&sweep, amplitude)?;
+            add_at(&mut signal.records, self.add_record(&sweep, record)?, 1.0);
+            return Ok(signal);
+        }
+        let shape = fields.get("shape");
+        let name = shape.as_ref().map_or(Ok("sine"), Node::text)?;
+        let phase = fields.quantity_or("phase", Of::Angle, 0.0)?;
+        let duty = fields.get("duty");
+        let names = ["sine", "square", "triangle", "sawtooth", "pulse"];
+        if let Some(node) = shape.as_ref().filter(|_| !names.contains(&name)) {
+            return Err(node.wrong(&format!("is unknown. {}", nearest(name, names.into_iter()))));
+        }
+        if let Some(node) = duty.as_ref().filter(|_| !["square", "pulse"].contains(&name)) {
+            return Err(
+                node.wrong("needs the shape square or pulse, of whose period it is the part that is up")
+            );
+        }
+        let duty = match duty {
+            Some(node) => match node.number()? {
+                part if part > 0.0 && part < 1.0 => part,
+                _ => return Err(node.wrong("must be > 0 and < 1")),
+            },
+            None => 0.5,
+        };
+        let of_frequency = fields.required("frequency")?;
+        // Points of one period, from 0 to 1, of the amplitude 1.
+        let points: &[(f64, f64)] = match name {
+            "sine" => {
+                let place = self.harmonic(&of_frequency)?;
+                let (sine, cosine) = phase.sin_cos();
+                add_at(&mut signal.sin, place, amplitude * cosine);
+                add_at(&mut signal.cos, place, amplitude * sine);
+                return Ok(signal);
+            }
+            "square" => &[(0.0, 1.0), (duty, 1.0), (duty, -1.0), (1.0, -1.0)],
+            "pulse" => &[(0.0, 1.0), (duty, 1.0), (duty, 0.0), (1.0, 0.0)],
+            "triangle" => &[(0.0, 0.0), (0.25, 1.0), (0.75, -1.0), (1.0, 0.0)],
+            _ => &[(0.0, -1.0), (1.0, 1.0)],
+        };
+        let period = TAU / frequency(&of_frequency)?;
+        // It begins in the period that the time 0 is in.
+        let begin = -(phase / TAU).rem_euclid(1.0) * period;
+        let record = Record {
+            times: points.iter().map(|(part, _)| begin + part * period).collect(),
+            values: points.iter().map(|(_, value)| amplitude * value).collect(),
+            force: vec![0.0; self.names.len()],
+            beyond: Beyond::Repeat,
+        };
+        add_at(&mut signal.records, self.add_record(&of_frequency, record)?, 1.0);
+        Ok(signal)
+    }
+
+    /// The record of a file with the options in the same table, or of a table of its own.
+    fn recorded(&mut self, node: &Node<'_>, beside: &Fields<'_>, kind: Of) -> Result<Signal<f64>, String> {
+        if node.value().is_object() {
+            let own = node.fields()?;
+            let file = own.required("file")?;
+            let found = self.recorded(&file, &own, kind)?;
+            own.end()?;
+            return Ok(found);
+        }
+        let record = match kind {
+            Of::Acceleration | Of::Force => self.measured(node, beside, kind)?,
+            _ => self.tabulated(node, beside, kind)?,
+        };
+        let mut signal = Signal::constant(0.0);
+        add_at(&mut signal.records, self.add_record(node, record)?, 1.0);
+        Ok(signal)
+    }
+
+    /// A record as the commands `record` read it, with their options.
+    fn measured(&self, node: &Node<'_>, fields: &Fields<'_>, kind: Of) -> Result<Record<f64>, String> {
+        let reader = node.reader();
+        let file = self.folder.join(node.text()?);
+        let name = file.display().to_string();
+        let time = |name: &'static str| fields.get(name).map(|node| node.quantity(Of::Time)).transpose();
+        let (from, to) = (time("from")?, time("to")?);
+        let column = fields.get("column").map(|node| shown(&node));
+        let units = fields.get("units").map(|node| node.text()).transpose()?;
+        let typed = format!("{} from … to …", fields.node.place());
+        let options = Options {
+            time_step: time("time_step")?,
+            column: column.as_deref(),
+            skip: fields.get("skip").map_or(Ok(0), |node| {
+                node.value().as_u64().ok_or_else(|| node.wrong("must be a whole number ≥ 0"))
+            })?,
+            units,
+            cut: (from.is_some() || to.is_some()).then_some(Cut { from, to, typed: &typed }),
+            ..Options::new(&name, reader, WORDS)
+        };
+        let about = |e: String| format!("{}: {e}", node.place());
+        let opened = open_regular(&file).map_err(|e| about(format!("{name}: {e}")))?;
+        let found: Measured<f64> = record::read(BufReader::new(opened), &options).map_err(about)?.record;
+        let due = if kind == Of::Force { Excitation::Force } else { Excitation::SurfaceAcceleration };
+        if found.excitation() != due {
+            return Err(node.wrong(&format!("must be a record of {}", due.name())));
+        }
+        let times = (0..found.samples().len()).map(|i| found.time(i)).collect();
+        finished(fields, times, found.samples().to_vec(), found.after() == After::Hold)
+    }
+
+    /// A table of times and values: displacements or velocities.
+    fn tabulated(&self, node: &Node<'_>, fields: &Fields<'_>, kind: Of) -> Result<Record<f64>, String> {
+        let column = fields.get("column").map(|node| shown(&node));
+        let points = self.columns(node, [Of::Time, kind], column.as_deref())?;
+        let bound = |name: &'static str, other: f64| {
+            fields.get(name).map_or(Ok(other), |node| node.quantity(Of::Time))
+        };
+        let (from, to) = (bound("from", f64::NEG_INFINITY)?, bound("to", f64::INFINITY)?);
+        let inside = points.into_iter().filter(|(t, _)| (from..=to).contains(t));
+        let (times, values): (Vec<f64>, Vec<f64>) = inside.unzip();
+        if times.len() < 2 {
+            return Err(node.wrong("must have at least two samples"));
+        }
+        finished(fields, times, values, kind == Of::Length)
+    }
+
+    /// Two columns of a CSV file: the first one, and the second or the one that is asked for.
+    pub(super) fn columns(
+        &self,
+        node: &Node<'_>,
+        kinds: [Of; 2],
+        column: Option<&str>,
+    ) -> Result<Vec<(f64, f64)>, String> {
+        let file = self.folder.join(node.text()?);
+        let name = file.display().to_string();
+        let bad = |e: &dyn std::fmt::Display| format!("{}: {name}: {e}", node.place());
+        let mut bytes = Vec::new();
+        let source = open_regular(&file).map_err(|e| bad(&e))?;
+        source.take(LONGEST_TABLE.saturating_add(1)).read_to_end(&mut bytes).map_err(|e| bad(&e))?;
+        if bytes.len() as u64 > LONGEST_TABLE {
+            return Err(bad(&format!("must be ≤ {LONGEST_TABLE} bytes")));
+        }
+        let text = of_bytes(bytes).map_err(|e| bad(&e))?;
+        let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text.as_bytes());
+        let header = reader.headers().map_err(|e| bad(&e))?.clone();
+        let names: Vec<(&str, Option<&str>)> = header.iter().map(crate::names::name_and_unit).collect();
+        let wanted = column.map_or(Some(1), |column| {
+            let by_number = column.trim().parse::<usize>().ok().and_then(|place| place.checked_sub(1));
+            by_number.or_else(|| names.iter().position(|(name, _)| name.eq_ignore_ascii_case(column.trim())))
+        });
+        let places = [Some(0), wanted.filter(|place| *place < names.len())];
+        let [Some(first), Some(second)] = places else {
+            return Err(bad(&match (column, kinds) {
+                (Some(column), _) => format!("has no column {column}"),
+                (None, [Of::Velocity, Of::Force]) => "must have the columns speed and force".to_owned(),
+                (None, _) => "must have the columns time and value".to_owned(),
+            }));
+        };
+        let mut points = Vec::new();
+        for (line, row) in reader.records().enumerate() {
+            let row = row.map_err(|e| bad(&e))?;
+            let value = |place: usize, kind: Of| {
+                let unit = names.get(place).and_then(|(_, unit)| *unit).unwrap_or("");
+                let text = format!("{}{unit}", row.get(place).unwrap_or(""));
+                let at = format!("{name}, line {}", line.saturating_add(2));
+                let found = node.reader().value::<f64>(&at, &text, kind);
+                found.map_err(|e| format!("{}: {e}", node.place()))
+            };
+            let [of_first, of_second] = kinds;
+            points.push((value(first, of_first)?, value(second, of_second)?));
+        }
+        Ok(points)
+    }
+
+    /// The place of a new record.
+    fn add_record(&mut self, node: &Node<'_>, mut record: Record<f64>) -> Result<usize, String> {
+        let others = &self.model.records;
+        let count = others.iter().fold(record.times.len(), |sum, of| sum.saturating_add(of.times.len()));
+        if count > MOST_SAMPLES || others.len() == MOST_RECORDS {
+            let most =
+                format!("must be one of ≤ {MOST_RECORDS} records, with ≤ {MOST_SAMPLES} samples together");
+            return Err(node.wrong(&most));
+        }
+        record.force = vec![0.0; self.names.len()];
+        let place = others.len();
+        self.model.records.push(record);
+        Ok(place)
+    }
+
+    /// Adds a load, with the force on each body where the signal is 1.
+    pub(super) fn load(&mut self, signal: &Signal<f64>, force: &[f64]) {
+        let model = &mut self.model;
+        let push = |list: &mut Vec<f64>, by: f64| {
+            force.iter().enumerate().filter(|(_, share)| **share != 0.0).for_each(|(i, share)| {
+                add_at(list, i, by * share);
+            });
+        };
+        push(&mut model.constant, signal.constant);
+        for (i, harmonic) in model.harmonics.iter_mut().enumerate() {
+            push(&mut harmonic.sin, at(&signal.sin, i));
+            push(&mut harmonic.cos, at(&signal.cos, i));
+        }
+        for (i, record) in model.records.iter_mut().enumerate() {
+            push(&mut record.force, at(&signal.records, i));
+        }
+    }
+
+    /// A motion: a velocity, or a table with a displacement, a velocity or an acceleration over time.
+    pub(super) fn motion(&mut self, node: &Node<'_>) -> Result<(MovedBy, Signal<f64>), String> {
+        let kinds = [
+            ("displacement", MovedBy::Displacement, Of::Length),
+            ("velocity", MovedBy::Velocity, Of::Velocity),
+            ("acceleration", MovedBy::Acceleration, Of::Acceleration),
+        ];
+        let is_named = |name: &str| node.value().as_object().is_some_and(|map| map.contains_key(name));
+        if !kinds.iter().any(|(name, ..)| is_named(name)) {
+            return Ok((MovedBy::Velocity, self.signal(node, Of::Velocity)?));
+        }
+        let fields = node.fields()?;
+        let mut given = kinds.into_iter().filter_map(|(name, by, kind)| Some((fields.get(name)?, by, kind)));
+        let (first, by, kind) = given.next().ok_or_else(|| node.wrong("must have a motion"))?;
+        if let Some((other, ..)) = given.next() {
+            return Err(other.wrong("must be left out beside another quantity of the motion"));
+        }
+        drop(given);
+        let signal = self.over_time(&first, &fields, kind)?;
+        fields.end()?;
+        Ok((by, signal))
+    }
+
+    /// A quantity over time, whose text may also be the name of a file with its options beside it.
+    pub(super) fn over_time(
+        &mut self,
+        node: &Node<'_>,
+        beside: &Fields<'_>,
+        kind: Of,
+    ) -> Result<Signal<f64>, String> {
+        let is_file = node.value().is_string() && node.quantity(kind).is_err();
+        if is_file {
+            return self.recorded(node, beside, kind);
+        }
+        without_options(beside)?;
+        self.signal(node, kind)
+    }
+
+    /// The derivative of the waves of a signal.
+    pub(super) fn derivative(&self, signal: &Signal<f64>) -> Signal<f64> {
+        self.by_frequency(signal, |omega, sin, cos| (-(omega * cos), omega * sin))
+    }
+
+    /// The integral of the waves of a signal, with the mean 0.
+    pub(super) fn integral(&self, signal: &Signal<f64>) -> Signal<f64> {
+        self.by_frequency(signal, |omega, sin, cos| (cos / omega, -sin / omega))
+    }
+
+    fn by_frequency(&self, signal: &Signal<f64>, of: impl Fn(f64, f64, f64) -> (f64, f64)) -> Signal<f64> {
+        let waves = self.model.harmonics.iter().enumerate();
+        let parts = waves.map(|(i, wave)| of(wave.frequency, at(&signal.sin, i), at(&signal.cos, i)));
+        let (sin, cos) = parts.unzip();
+        Signal { sin, cos, ..Signal::constant(0.0) }
+    }
+
+    /// The slopes of the records of a signal, as records with steps.
+    pub(super) fn slopes(&mut self, node: &Node<'_>, signal: &Signal<f64>) -> Result<Signal<f64>, String> {
+        let mut result = Signal::constant(0.0);
+        for (i, &factor) in signal.records.iter().enumerate().filter(|(_, factor)| **factor != 0.0) {
+            let Some(record) = self.model.records.get(i) else { continue };
+            let pairs = record.times.iter().zip(&record.values);
+            let (mut times, mut values) = (Vec::new(), Vec::new());
+            for ((&a, &p), (&b, &q)) in pairs.clone().zip(pairs.skip(1)) {
+                if a == b {
+                    return Err(node.wrong("must not change at once: that takes an infinite acceleration"));
+                }
+                times.extend([a, b]);
+                values.extend([(q - p) / (b - a); 2]);
+            }
+            let ends = (record.values.first(), record.values.last());
+            if record.beyond == Beyond::Repeat && ends.0 != ends.1 {
+                return Err(node.wrong("must end with its first value where it repeats itself"));
+            }
+            let beyond = if record.beyond == Beyond::Repeat { Beyond::Repeat } else { Beyond::Zero };
+            let place = self.add_record(node, Record { times, values, force: Vec::new(), beyond })?;
+            add_at(&mut result.records, place, factor);
+        }
+        Ok(result)
+    }
+}
+
+/// The names of the reader's options in a file of a system.
+const WORDS: Words = Words { time_step: "time_step", column: "column", units: "units" };
+
+/// Refuses the options of a record beside something else.
+fn without_options(fields: &Fields<'_>) -> Result<(), String> {
+    let found: Vec<_> = OPTIONS.iter().filter_map(|name| fields.get(name)).collect();
+    found
+        .first()
+        .map_or(Ok(()), |node| Err(node.wrong("belongs to a record, and needs the name of its file")))
+}
+
+/// A positive frequency.
+fn frequency(node: &Node<'_>) -> Result<f64, String> {
+    let frequency = node.quantity(Of::Frequency)?;
+    if frequency > 0.0 { Ok(frequency) } else { Err(node.wrong("must be > 0")) }
+}
+
+/// A name or a number as text.
+fn shown(node: &Node<'_>) -> String {
+    node.value().as_str().map_or_else(|| node.value().to_string(), str::to_owned)
+}
+
+/// A record with its factor, and with what follows it.
+fn finished(
+    fields: &Fields<'_>,
+    times: Vec<f64>,
+    mut values: Vec<f64>,
+    holds: bool,
+) -> Result<Record<f64>, String> {
+    if let Some(node) = fields.get("scale") {
+        let factor = node.number()?;
+        values.iter_mut().for_each(|x| *x *= factor);
+    }
+    let repeats = match fields.get("repeats") {
+        Some(node) => node.value().as_bool().ok_or_else(|| node.wrong("must be true or false"))?,
+        None => false,
+    };
+    let after = fields.get("after");
+    let beyond = match after.as_ref().map(|node| node.text().map(|text| (node, text))).transpose()? {
+        Some((node, _)) if repeats => {
+            return Err(node.wrong("must be left out of a record that repeats itself"));
+        }
+        Some((_, "zero")) => Beyond::Zero,
+        Some((_, "hold")) => Beyond::Hold,
+        Some((node, _)) => return Err(node.wrong("must be zero or hold")),
+        None if repeats => Beyond::Repeat,
+        None if holds => Beyond::Hold,
+        None => Beyond::Zero,
+    };
+    if let (Beyond::Repeat, Some(node)) = (beyond, fields.get("repeats"))
+        && times.first() == times.last()
+    {
+        return Err(node.wrong("needs samples at two times"));
+    }
+    Ok(Record { times, values, force: Vec::new(), beyond })
+}
+
+/// A sine whose frequency changes from one value to another in a time, linearly or by a constant factor in equal times: as straight
+/// lines that differ from it by at most a part of its amplitude.
+fn swept(node: &Node<'_>, amplitude: f64) -> Result<Record<f64>, String> {
+    let fields = node.fields()?;
+    let [from, to] = ["from", "to"].map(|name| fields.required(name).and_then(|node| frequency(&node)));
+    let (from, to) = (from?, to?);
+    let of_duration = fields.required("duration")?;
+    let duration = of_duration.quantity(Of::Time)?;
+    if duration <= 0.0 {
+        return Err(of_duration.wrong("must be > 0"));
+    }
+    let is_log = match fields.get("log") {
+        Some(node) => node.value().as_bool().ok_or_else(|| node.wrong("must be true or false"))?,
+        None => false,
+    };
+    let tolerance = match fields.get("tolerance") {
+        Some(node) => match node.number()? {
+            part if part > 0.0 && part < 1.0 => part,
+            _ => return Err(node.wrong("must be > 0 and < 1")),
+        },
+        None => TOLERANCE,
+    };
+    fields.end()?;
+    let growth = (to / from).ln() / duration;
+    let steady = !is_log || growth == 0.0;
+    let rate = |t: f64| if steady { from + (to - from) * t / duration } else { from * (growth * t).exp() };
+    let phase = |t: f64| {
+        if steady {
+            t * (from + (to - from) * t / duration / 2.0)
+        } else {
+            from * (growth * t).exp_m1() / growth
+        }
+    };
+    // A chord over h is off by h²/8 of the second derivative at most, which is at most ω² + |ω′|.
+    let turn = |t: f64| {
+        rate(t).powi(2) + if steady { (to - from).abs() / duration } else { (growth * rate(t)).abs() }
+    };
+    let (mut t, mut times) = (0.0, vec![0.0]);
+    while t < duration {
+        let step = |at: f64| (8.0 * tolerance / turn(at)).sqrt();
+        let ahead = step(t);
+        t += ahead.min(step((t + ahead).min(duration)));
+        times.push(t.min(duration));
+        if times.len() > MOST_SAMPLES {
+            return Err(node.wrong(&format!(
+                "must have ≤ {MOST_SAMPLES} samples: give a larger tolerance than {tolerance}, or a shorter duration"
+            )));
+        }
+    }
+    let values = times.iter().map(|&t| amplitude * phase(t).sin()).collect();
+    Ok(Record { times, values, force: Vec::new(), beyond: Beyond::Zero })
+}
