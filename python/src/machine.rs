@@ -110,6 +110,9 @@ fn named<T>(
     of(given).map_or_else(|error| error.to_string(), |_| String::new())
 }
 
+/// A column of numbers for each of `K` quantities, and the places without any, with the reasons.
+pub(crate) type Columns<const K: usize> = ([Vec<f64>; K], Vec<(usize, String)>);
+
 /// `n` bodies, each of the given values with those of the columns in the place of their own. A body outside the domain, or of
 /// a number that is none, has NaN throughout. Values that make no body at all are an error.
 pub(crate) fn each_given<const K: usize>(
@@ -117,7 +120,7 @@ pub(crate) fn each_given<const K: usize>(
     columns: &[(String, PyReadonlyArray1<'_, f64>)],
     n: usize,
     of: impl Fn(&Given<f64>) -> Result<[f64; K], InputError>,
-) -> PyResult<([Vec<f64>; K], Vec<(usize, String)>)> {
+) -> PyResult<Columns<K>> {
     let column = |(name, array): &(String, PyReadonlyArray1<'_, f64>)| {
         let input = Input::named(name).ok_or_else(|| refused(format!("{name}: is unknown")))?;
         Ok::<_, PyErr>((input, array.as_slice()?.to_vec()))

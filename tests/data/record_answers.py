@@ -266,4 +266,5 @@ def main():
         rows += 1
 
 
-main()
+if __name__ == "__main__":
+    main()
