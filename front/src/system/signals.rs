@@ -3,7 +3,7 @@
 use super::described::{MOST_FREQUENCIES, MOST_RECORDS, MOST_SAMPLES};
 use super::named::Builder;
 use super::node::{Fields, Node, nearest};
-use crate::record::{self, Cut, Options, Words};
+use crate::record::{self, Options, Words};
 use crate::text::{of_bytes, open_regular};
 use std::f64::consts::TAU;
 use std::io::{BufReader, Read};
@@ -18,8 +18,20 @@ const LONGEST_TABLE: u64 = 1 << 21;
 const TOLERANCE: f64 = 1e-5;
 
 /// The fields of a record beside its file.
-const OPTIONS: [&str; 9] =
-    ["column", "scale", "from", "to", "units", "time_step", "skip", "repeats", "after"];
+const OPTIONS: [&str; 12] = [
+    "column",
+    "scale",
+    "from",
+    "to",
+    "units",
+    "time_step",
+    "time_column",
+    "skip",
+    "remove_mean",
+    "resample",
+    "repeats",
+    "after",
+];
 
 /// The fields of a wave beside its amplitude.
 const WAVE: [&str; 5] = ["frequency", "phase", "shape", "duty", "sweep"];
@@ -214,19 +226,22 @@ impl Builder<'_> {
         let reader = node.reader();
         let file = self.folder.join(node.text()?);
         let name = file.display().to_string();
-        let time = |name: &'static str| fields.get(name).map(|node| node.quantity(Of::Time)).transpose();
-        let (from, to) = (time("from")?, time("to")?);
-        let column = fields.get("column").map(|node| shown(&node));
+        let text = |name: &'static str| fields.get(name).map(|node| shown(&node));
+        let [time_step, time_column, column, from, to, remove_mean, resample] =
+            ["time_step", "time_column", "column", "from", "to", "remove_mean", "resample"].map(text);
         let units = fields.get("units").map(|node| node.text()).transpose()?;
-        let typed = format!("{} from … to …", fields.node.place());
         let options = Options {
-            time_step: time("time_step")?,
+            time_step: time_step.as_deref(),
+            time_column: time_column.as_deref(),
             column: column.as_deref(),
             skip: fields.get("skip").map_or(Ok(0), |node| {
                 node.value().as_u64().ok_or_else(|| node.wrong("must be a whole number ≥ 0"))
             })?,
             units,
-            cut: (from.is_some() || to.is_some()).then_some(Cut { from, to, typed: &typed }),
+            from: from.as_deref(),
+            to: to.as_deref(),
+            remove_mean: remove_mean.as_deref(),
+            resample: resample.as_deref(),
             ..Options::new(&name, reader, WORDS)
         };
         let about = |e: String| format!("{}: {e}", node.place());
@@ -419,7 +434,7 @@ impl Builder<'_> {
 }
 
 /// The names of the reader's options in a file of a system.
-const WORDS: Words = Words { time_step: "time_step", column: "column", units: "units" };
+const WORDS: Words = Words { units: "units", ..Words::PYTHON };
 
 /// Refuses the options of a record beside something else.
 fn without_options(fields: &Fields<'_>) -> Result<(), String> {
