@@ -65,12 +65,23 @@ const LEAST: usize = 20;
 const FRICTIONS: [f64; 5] = [0.02, 0.08, 0.2, 0.4, 0.7];
 /// The damping ratios of the starts.
 const DAMPINGS: [f64; 3] = [0.003, 0.03, 0.15];
+/// The greatest damping ratio of a start beside a fit.
+const MOST_DAMPING: f64 = 0.9;
 /// The starts from which the descent begins.
 const STARTS: usize = 3;
 /// The stiffnesses of the starts, in that of the linear least squares.
 const STIFFNESSES: [f64; 5] = [0.6, 0.85, 1.0, 1.2, 1.7];
 /// The number of stiffnesses where the linear least squares have none, from a cycle in the record to two samples a cycle.
 const LADDER: u32 = 24;
+/// The frictions on either side of a fit at which other valleys are searched: their number, the distance of the first as a part of the
+/// fit's, and the factor from one distance to the next.
+const VALLEY: (i32, f64, f64) = (39, 2e-3, 1.2);
+/// The directions of the search, as parts of the change of all else along the valley of the fit. With another number of half cycles a valley
+/// has another direction.
+const DIRECTIONS: [f64; 4] = [1.0, 1.15, 0.85, 0.7];
+/// The valleys from which one search descends, and the searches one after the other.
+const VALLEYS: usize = 2;
+const SEARCHES: usize = 4;
 /// The gain of a step, as a part of the sum of squares, below which the descent ends.
 const TOLERANCE: f64 = 1e-12;
 /// The rise of the sum of squares, over its standard error, with which a start at rest is not refused.
@@ -164,8 +175,8 @@ pub fn identify_motion(
         starts.into_iter().take(most).map(|(_, at)| at).collect::<Vec<_>>()
     };
     let fit = |drive: &Record<f64>, starts: &[Vec<f64>]| {
-        let scales = scales.get(..starts.first()?.len())?;
-        Fit::best(displacements, &|at: &[f64]| known.model(drive, at), starts, scales, ends)
+        let scales = starts.first().and_then(|start| scales.get(..start.len())).unwrap_or_default();
+        Fit::all(displacements, &|at: &[f64]| known.model(drive, at), starts, scales, ends)
     };
     // Whether a fit is as good as another but for chance.
     let is_alike = |one: &Fit, other: &Fit| {
@@ -173,29 +184,52 @@ pub fn identify_motion(
         is_exact || one.sum <= other.sum * (1.0 + CHANCE / other.degrees_of_freedom())
     };
     let likely = loads.first().ok_or(Error::MotionNotIdentified)?;
-    let fits = |moves: bool| fit(&likely.load, &from_starts(&likely.load, moves));
-    let mut both: Vec<Fit> = [fits(false), fits(true)].into_iter().flatten().collect();
+    // Where the body stops on the other side, or moves half a cycle more, the sum of squares has another minimum.
+    let fits = |moves: bool| {
+        let mut all = fit(&likely.load, &from_starts(&likely.load, moves));
+        for _ in 0..SEARCHES {
+            // A long record keeps what an answer needs.
+            if known.left.get() < most / 2.0 {
+                break;
+            }
+            let Some(best) = all.first().map(|best| best.sum * (1.0 - TOLERANCE)) else { break };
+            let starts = all.first().map(|best| known.valleys(&likely.load, best, displacements));
+            all.extend(fit(&likely.load, &starts.unwrap_or_default()));
+            all.sort_by(|a, b| a.sum.total_cmp(&b.sum));
+            if all.first().is_none_or(|next| next.sum >= best) {
+                break;
+            }
+        }
+        all
+    };
+    let mut both: Vec<Vec<Fit>> = [false, true].map(fits).into_iter().filter(|all| !all.is_empty()).collect();
     // Each other load from the end of the search under the likely one.
-    let mut best: Option<(&Between, Fit)> = None;
+    let mut best: Option<(&Between, Vec<Fit>)> = None;
+    let is_as_good = |one: &[Fit], other: &[Fit]| match (one, other) {
+        ([one, ..], [other, ..]) => is_alike(one, other),
+        _ => !one.is_empty(),
+    };
     for between in &loads {
         if !core::ptr::eq(between, likely) {
-            both = both
-                .iter()
-                .filter_map(|found| fit(&between.load, core::slice::from_ref(&found.at)))
-                .collect();
+            let ends = both.iter().filter_map(|all| all.first());
+            both = ends.map(|found| fit(&between.load, core::slice::from_ref(&found.at))).collect();
+            both.retain(|all| !all.is_empty());
         }
         // A start at rest before one that moves.
-        let chosen = both.iter().fold(None, |best: Option<&Fit>, next| match best {
-            Some(best) if is_alike(best, next) => Some(best),
+        let chosen = both.iter().fold(None, |best: Option<&Vec<Fit>>, next| match best {
+            Some(best) if is_as_good(best, next) => Some(best),
             _ => Some(next),
         });
         best = match (best, chosen) {
-            (Some(best), Some(next)) if !is_alike(&best.1, next) => Some((between, next.clone())),
+            (Some(best), Some(next)) if !is_as_good(&best.1, next) => Some((between, next.clone())),
             (None, Some(next)) => Some((between, next.clone())),
             (best, _) => best,
         };
     }
-    let (between, found) = best.ok_or(Error::MotionNotIdentified)?;
+    let (between, mut alike) = best.ok_or(Error::MotionNotIdentified)?;
+    let enough = alike.first().map_or(f64::NAN, Fit::chance);
+    alike.retain(|fit| fit.sum <= enough);
+    let found = alike.first().ok_or(Error::MotionNotIdentified)?;
     let noise = found.noise();
     if noise > MOST_NOISE * spread {
         return Err(Error::MotionUnexplained { noise: written(noise / spread) });
@@ -213,7 +247,10 @@ pub fn identify_motion(
     });
     let error = |gradient: &[f64]| {
         let shift = moved.as_ref().map_or(0.0, |moved| moved.iter().zip(gradient).map(|(a, b)| a * b).sum());
-        (wider * found.error_along(gradient)).hypot(shift)
+        // The interval covers that of each fit that is as good but for chance.
+        let along = |fit: &Fit| fit.at.iter().zip(gradient).map(|(a, b)| a * b).sum::<f64>();
+        let off = |fit: &Fit| (along(fit) - along(found)).abs() / 2.0 + fit.error_along(gradient);
+        (wider * alike.iter().map(off).fold(0.0, f64::max)).hypot(shift)
     };
     let estimate = |value: f64, error: f64, least: f64| Estimate {
         value: value.max(least),
@@ -329,6 +366,44 @@ impl KnownBody<'_> {
             }
         }
         sum
+    }
+
+    /// Where the sum of squares has other minima as friction changes, and all else with it in nearly the way that raises the sum least;
+    /// the lowest of them.
+    fn valleys(&self, drive: &Record<f64>, found: &Fit, displacements: &[f64]) -> Vec<Vec<f64>> {
+        let (Some(valley), Some(&friction)) = (found.valley(FRICTION), found.at.get(FRICTION)) else {
+            return Vec::new();
+        };
+        let (count, first, factor) = VALLEY;
+        let mut low: Vec<(f64, Vec<f64>)> = Vec::new();
+        for (part, side) in DIRECTIONS.iter().flat_map(|part| [(part, 1.0), (part, -1.0)]) {
+            let at = |power: i32| {
+                let by = side * friction.abs() * first * factor.powi(power);
+                let mut at = found.at.clone();
+                for (place, (x, slope)) in at.iter_mut().zip(&valley).enumerate() {
+                    *x += by * slope * if place == FRICTION { 1.0 } else { *part };
+                }
+                if let Some(zeta) = at.get_mut(ZETA) {
+                    *zeta = zeta.clamp(0.0, MOST_DAMPING);
+                }
+                at
+            };
+            let all = (0..count).map(at).take_while(|at| at.first().is_some_and(|friction| *friction >= 0.0));
+            let all: Vec<(f64, Vec<f64>)> = all
+                .map(|at| {
+                    let model = self.model(drive, &at);
+                    (model.iter().zip(displacements).map(|(c, m)| (m - c) * (m - c)).sum(), at)
+                })
+                .collect();
+            low.extend(all.windows(3).filter_map(|three| match three {
+                [(before, _), (sum, at), (after, _)] if sum < before && sum <= after => {
+                    Some((*sum, at.clone()))
+                }
+                _ => None,
+            }));
+        }
+        low.sort_by(|a, b| a.0.total_cmp(&b.0));
+        low.into_iter().take(VALLEYS).map(|(_, at)| at).collect()
     }
 
     fn displacements(

@@ -5,6 +5,7 @@ mod random;
 
 mod borders;
 mod closed_forms;
+mod coverage;
 mod designs;
 #[cfg(feature = "mp")]
 mod enclosed;

@@ -40,13 +40,24 @@ pub(in crate::design) struct Fit {
 
 impl Fit {
     /// The best fit from several starts, if one of them leads to any.
-    pub(in crate::design) fn best(
+    pub(super) fn best(
         measured: &[f64],
         model: &impl Fn(&[f64]) -> Vec<f64>,
         starts: &[Vec<f64>],
         scales: &[f64],
         ends: Ends,
     ) -> Option<Self> {
+        Self::all(measured, model, starts, scales, ends).into_iter().next()
+    }
+
+    /// The fits from several starts, the best one first.
+    pub(in crate::design) fn all(
+        measured: &[f64],
+        model: &impl Fn(&[f64]) -> Vec<f64>,
+        starts: &[Vec<f64>],
+        scales: &[f64],
+        ends: Ends,
+    ) -> Vec<Self> {
         let model = Model { measured, model, scales, ends };
         let fits = starts.iter().filter_map(|start| {
             let (Place { at, residuals, sum }, _) = descend(&model, model.place(start.clone()))?;
@@ -54,7 +65,14 @@ impl Fit {
             let covariance = inverse(&matrix)?;
             at.iter().all(|x| x.is_finite()).then_some(Self { covariance, slopes, at, sum, residuals })
         });
-        fits.min_by(|a, b| a.sum.total_cmp(&b.sum))
+        let mut fits: Vec<Self> = fits.collect();
+        fits.sort_by(|a, b| a.sum.total_cmp(&b.sum));
+        fits
+    }
+
+    /// The sum of squares up to which another fit explains the values as well but for chance: three standard errors of the least.
+    pub(in crate::design) fn chance(&self) -> f64 {
+        self.sum * (1.0 + 9.0 / self.degrees_of_freedom())
     }
 
     pub(in crate::design) fn degrees_of_freedom(&self) -> f64 {
@@ -78,6 +96,13 @@ impl Fit {
                 row.iter().zip(gradient).map(|(covariance, b)| a * b * covariance).sum::<f64>()
             });
         variance.sum::<f64>().sqrt() * self.noise()
+    }
+
+    /// How all parameters change with one, where the sum of squares rises least.
+    pub(in crate::design) fn valley(&self, i: usize) -> Option<Vec<f64>> {
+        let row = self.covariance.get(i)?;
+        let own = *row.get(i)?;
+        Some(row.iter().map(|covariance| covariance / own).collect())
     }
 
     /// By how much the parameters change where the model changes by these values.
@@ -112,7 +137,7 @@ impl Alike {
     pub(super) fn of(mut fits: Vec<(Option<usize>, Fit)>) -> Option<Self> {
         fits.sort_by(|a, b| a.1.sum.total_cmp(&b.1.sum));
         let best = &fits.first()?.1;
-        let enough = best.sum * (1.0 + 9.0 / best.degrees_of_freedom());
+        let enough = best.chance();
         let correlation = best.correlation().min(0.98);
         fits.retain(|(_, fit)| fit.sum <= enough);
         // The mean of n numbers, of which neighbours have this correlation, varies as that of n/factor² independent ones.
