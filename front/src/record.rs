@@ -25,7 +25,7 @@ mod table;
 mod text;
 mod unit;
 
-pub use describe::{Channel, describe};
+pub use describe::{Channel, describe, gaps, peak_frequency};
 use lines::{Line, Lines};
 pub use options::{Options, Words};
 use samples::Samples;

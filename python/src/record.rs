@@ -72,8 +72,10 @@ pub(crate) fn load(of: &str, times: &[f64], samples: &[f64], after: Option<&str>
 /// the summary.
 type FileRead<'py> = ((&'static str, Vec<f64>, Vec<f64>, &'static str), Bound<'py, PyDict>);
 
-/// Reads a record from a file of this name, or from bytes.
+/// Reads a record from a file of this name, or from bytes. `wanted` is the column of the time, the sensitivity, the mean that
+/// is taken off and the new step.
 #[pyfunction]
+#[allow(clippy::too_many_arguments, reason = "the arguments of Record.read")]
 fn record_read<'py>(
     py: Python<'py>,
     name: &str,
@@ -82,8 +84,10 @@ fn record_read<'py>(
     column: Option<&str>,
     skip: u64,
     record_units: Option<&str>,
+    wanted: [Option<String>; 4],
 ) -> PyResult<FileRead<'py>> {
     let file = if bytes.is_none() { Some(File::open(name)?) } else { None };
+    let [time_column, scale, remove_mean, resample] = wanted;
     // The shortest decimal is read as the same number.
     let time_step = time_step.map(|step| format!("{step:e} s"));
     let found = py.detach(|| {
@@ -93,6 +97,10 @@ fn record_read<'py>(
             column,
             skip,
             units: record_units,
+            time_column: time_column.as_deref(),
+            scale: scale.as_deref(),
+            remove_mean: remove_mean.as_deref(),
+            resample: resample.as_deref(),
             ..Options::new(name, &reader, Words::PYTHON)
         };
         match file {
@@ -136,6 +144,17 @@ fn record_check(
     after: Option<&str>,
 ) -> PyResult<&'static str> {
     load(of, times.as_slice()?, samples.as_slice()?, after).map(|record| record.after().name())
+}
+
+/// The frequency in Hz of the greatest Fourier amplitude, and the beginnings and the ends of gaps in s.
+#[pyfunction]
+fn record_described(
+    of: &str,
+    times: PyReadonlyArray1<'_, f64>,
+    samples: PyReadonlyArray1<'_, f64>,
+) -> PyResult<(Option<f64>, Vec<[f64; 2]>)> {
+    let record = load(of, times.as_slice()?, samples.as_slice()?, None)?;
+    Ok((front::peak_frequency(&record), front::gaps(&record)))
 }
 
 /// The places of the samples within two times: the first, and the one after the last.
@@ -413,6 +432,7 @@ pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(record_between, module)?)?;
     module.add_function(wrap_pyfunction!(record_check, module)?)?;
     module.add_function(wrap_pyfunction!(record_read, module)?)?;
+    module.add_function(wrap_pyfunction!(record_described, module)?)?;
     module.add_function(wrap_pyfunction!(record_follow, module)?)?;
     module.add_function(wrap_pyfunction!(record_motion, module)?)?;
     module.add_function(wrap_pyfunction!(record_floor_spectrum, module)?)?;

@@ -1,5 +1,6 @@
 """The motion under records: closed forms, agreement of the ways to ask, refusals."""
 
+import math
 import re
 
 import numpy as np
@@ -232,3 +233,25 @@ def test_polarities_are_a_record_and_its_mirror_image():
     assert by_name.peak_displacement == pytest.approx(by_coefficient.peak_displacement, rel=1e-9)
     with pytest.raises(ss.Error, match="yield_acceleration"):
         ss.Block(mass=1.0, friction=1.0, yield_acceleration=1.0)
+
+
+def test_a_file_is_read_as_it_is_and_described():
+    rows = "".join(f"{i / 50:.2f};{5 + math.sin(0.7 * i) * (i > 40):.6f}\n" for i in range(120))
+    text = f"Zeit [s];U (V)\n{rows}".encode()
+    record = ss.Record.read(text, column="U", scale="2.5 N/V", remove_mean="before", resample=0.01)
+    assert (record.of, record.unit, len(record.samples), record.time_step) == ("force", "N", 239, 0.01)
+    due = [2.5 * math.sin(0.7 * i) * (i > 40) for i in range(120)]
+    np.testing.assert_allclose(record.samples[::2], due, atol=1e-5)
+    mean, step = record.summary["notes"]
+    assert mean.startswith("The mean 12.5 N of the 41 samples from 0 s to 0.8 s was removed")
+    assert step == "Resampled on straight lines from 0.02 s to 0.01 s."
+    about = record.describe()
+    assert (about["kind"], about["channel"], about["gaps"]) == ("columns", "U", [])
+    assert about["peak"] == max(record.samples, key=abs) and about["steps"] == pytest.approx((0.01, 0.01))
+    assert about["peak_frequency"] == pytest.approx(0.7 / (2 * math.pi * 0.02), abs=0.1)
+    with pytest.raises(ss.Error, match="resample 0.0: must be > 0 and finite"):
+        ss.Record.read(text, column="U", scale="2.5 N/V", resample=0)
+    with pytest.raises(ss.Error, match="time_column x: must be a column of record: Zeit, U"):
+        ss.Record.read(text, column="U", scale="2.5 N/V", time_column="x")
+    gap = ss.Record([1, 2, 1, 2, 1], times=[0, 1, 2, 5, 6])
+    assert gap.describe()["gaps"] == [(2.0, 5.0)]

@@ -84,8 +84,9 @@ pub fn describe<R: BufRead>(
         .collect()
 }
 
-/// The steps of a record that are longer than [`GAP`] times their median.
-fn gaps(record: &Record<f64>) -> Vec<[f64; 2]> {
+/// The beginnings and the ends, in s, of the steps of a record that are longer than half again their median.
+#[must_use]
+pub fn gaps(record: &Record<f64>) -> Vec<[f64; 2]> {
     if record.step().is_some() {
         return Vec::new();
     }
@@ -97,9 +98,11 @@ fn gaps(record: &Record<f64>) -> Vec<[f64; 2]> {
     all.into_iter().filter(|[from, to]| to - from > GAP * median).collect()
 }
 
-/// The frequency of the greatest Fourier amplitude, of the samples at equal steps on their straight lines, without their
-/// mean, and followed by zeros up to a power of two.
-fn peak_frequency(record: &Record<f64>) -> Option<f64> {
+/// The frequency in Hz of the greatest Fourier amplitude, of the samples at equal steps on their straight lines, without their
+/// mean, and followed by zeros up to a power of two; none of a constant, of fewer than four samples, or of more than four
+/// million.
+#[must_use]
+pub fn peak_frequency(record: &Record<f64>) -> Option<f64> {
     let count = record.samples().len();
     if !(4..=MOST).contains(&count) {
         return None;

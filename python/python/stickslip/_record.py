@@ -159,10 +159,15 @@ class Record:
         column: Union[str, int, None] = None,
         skip: int = 0,
         record_units: Optional[str] = None,
+        time_column: Union[str, int, None] = None,
+        scale: Optional[str] = None,
+        remove_mean: Optional[str] = None,
+        resample: Optional[Quantity] = None,
         after: Optional[str] = None,
     ) -> "Record":
-        """The record of a file, as ``stickslip record`` reads it: of PEER, K-NET, KiK-net, ESM, CWB, COSMOS or GeoNet, whose
-        units are read from it, or columns of text. Samples are then in SI units; ``summary`` describes the file.
+        """The record of a file, as ``stickslip record`` reads it: of an agency (PEER, COSMOS, CSMIP, SMC, K-NET, ESM, GeoNet,
+        SAC, …), whose layout is known by its content and whose units are read from it, or columns of text. Samples are then
+        in SI units; ``summary`` describes the file, and its ``notes`` say what was done with the samples.
 
         Parameters
         ----------
@@ -176,6 +181,14 @@ class Record:
             Number of lines to skip before the columns.
         record_units : str, optional
             Unit of the samples in a file that does not state it, such as ``"g"``.
+        time_column : str or int, optional
+            Column of the time by its name or its number from 1, where its name does not say so.
+        scale : str, optional
+            What a signal is, such as ``"2.5 N/V"``: the record is then of forces.
+        remove_mean : str, optional
+            Take off the mean of ``"all"`` samples, of those ``"before"`` the motion, or of a window such as ``"0s:2s"``.
+        resample : float or str, optional
+            Step at which the record is read off its straight lines.
         after : str, optional
             The load after the last sample, as of `Record`.
 
@@ -193,7 +206,10 @@ class Record:
         name = "record" if data is not None else os.fspath(file)
         named = None if column is None else str(column)
         try:
-            found, summary = _native.record_read(str(name), data, step, named, skip, record_units)
+            new_step = None if resample is None else f"{float(_step(resample, 'resample'))!r} s"
+            of_time = None if time_column is None else str(time_column)
+            wanted = [of_time, scale, remove_mean, new_step]
+            found, summary = _native.record_read(str(name), data, step, named, skip, record_units, wanted)
         except OSError as error:
             raise unreadable(name, error) from None
         of, times, samples, unit = found
@@ -288,6 +304,42 @@ class Record:
         """The greatest sample, regardless of sign."""
         return float(np.max(np.abs(self.samples)))
 
+    def describe(self) -> dict[str, Any]:
+        """What the record holds, without a machine: its samples, steps and times in seconds, its peak and its mean over time in
+        its unit, the frequency in Hz at which its Fourier amplitude is greatest, and its gaps: the beginnings and the ends
+        of steps longer than half again their median. Of a file also its ``kind``, its ``channel`` and ``notes``.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> import stickslip as ss
+        >>> record = ss.Record(np.sin(2 * np.pi * 1.25 * np.arange(400) / 50), time_step=0.02, unit="g")
+        >>> about = record.describe()
+        >>> about["samples"], about["unit"], round(about["peak_frequency"], 2), about["gaps"]
+        (400, 'g', 1.25, [])
+        """
+        times, samples = self.times, self.samples
+        frequency, gaps = _native.record_described(self.of, self._times, samples)
+        steps = np.diff(times)
+        steps = steps[steps > 0]
+        place = int(np.argmax(np.abs(samples)))
+        area = float(np.sum(np.diff(times) * (samples[1:] + samples[:-1]) / 2))
+        of_file = {name: (self.summary or {}).get(name) for name in ("kind", "channel", "notes")}
+        return {
+            **of_file,
+            "of": self.of,
+            "unit": self.unit,
+            "samples": len(samples),
+            "time_step": self.time_step,
+            "steps": (float(steps.min()), float(steps.max())),
+            "duration": self.duration,
+            "peak": float(samples[place]),
+            "peak_at": float(times[place]),
+            "mean": area / self.duration,
+            "peak_frequency": frequency,
+            "gaps": [tuple(gap) for gap in gaps],
+        }
+
     def to_frame(self) -> Any:
         """A frame of pandas with the samples over the time."""
         pandas = module("pandas")
@@ -358,10 +410,10 @@ class Record:
         return self.of, self._times, self.samples * factor if factor != 1.0 else self.samples
 
 
-def _step(time_step: Any) -> float:
-    step = read({"time_step": (time_step, "time")}, None)[0]["time_step"]
+def _step(time_step: Any, name: str = "time_step") -> float:
+    step = read({name: (time_step, "time")}, None)[0][name]
     if not 0 < step < np.inf:
-        raise Error(f"time_step {text('time_step', time_step)}: must be > 0 and finite")
+        raise Error(f"{name} {text(name, time_step)}: must be > 0 and finite")
     return step
 
 
