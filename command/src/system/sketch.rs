@@ -319,6 +319,8 @@ pub(super) fn svg(described: &Described, title: Option<&str>, size: Option<(u32,
         let (x, y) = sizes.at((x(i), across));
         let y = if is_upright { y - body } else { y };
         let mass = described.model.mass.get(i).and_then(|row| row.get(i)).copied().unwrap_or(0.0);
+        let is_moved = described.model.moved.iter().any(|moved| moved.coordinate == i);
+        let text = if is_moved { "moved".to_owned() } else { quantity(described, mass, Of::Mass) };
         let (middle, centre) = (x + wide / 2.0, y + high / 2.0);
         let _ = writeln!(
             svg,
@@ -328,7 +330,7 @@ pub(super) fn svg(described: &Described, title: Option<&str>, size: Option<(u32,
             centre - 3.0,
             escaped(name),
             centre + 13.0,
-            escaped(&quantity(described, mass, Of::Mass))
+            escaped(&text)
         );
     }
     // A text beside the last line has its room.

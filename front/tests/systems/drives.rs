@@ -6,6 +6,7 @@
 use crate::named;
 use std::f64::consts::TAU;
 use std::fmt::Write;
+use stickslip::system::State as Full;
 
 /// Numbers that look random.
 struct Random(u64);
@@ -494,6 +495,67 @@ fn compare(seed: u64, make: impl Fn(&mut Random) -> (String, Machine), usual: us
         all += motion.events.len();
     }
     all
+}
+
+/// An entry of a state: a displacement, a velocity or a force.
+fn part(state: &mut Full<f64>, place: usize) -> Option<&mut f64> {
+    let Full { displacement, velocity, force, .. } = state;
+    displacement.iter_mut().chain(velocity.iter_mut()).chain(force).nth(place)
+}
+
+/// The steady motion is what the start leads to: the state after many periods. Its multipliers are those of differences.
+#[test]
+fn steady_motions_are_the_limits_of_the_start() {
+    let count = if std::env::var_os("STICKSLIP_ALL_SYSTEMS").is_some() { 100 } else { 6 };
+    let mut random = Random(6);
+    let (mut settled, mut traces) = (0, 0);
+    for number in 0..5 * count {
+        let (text, machine) = match number % 5 {
+            0 => shaped(&mut random),
+            1 => pressed(&mut random, false),
+            2 => pressed(&mut random, true),
+            3 => moved(&mut random, false),
+            _ => moved(&mut random, true),
+        };
+        let system = named(&text);
+        let start = &system.described.start;
+        let found = system.system.steady(start).unwrap_or_else(|e| panic!("{e}\n{text}"));
+        let largest = found.multipliers.first().map_or(0.0, |(re, im)| re.hypot(*im));
+        if found.kind.name() != "periodic" || largest > 0.98 {
+            continue;
+        }
+        settled += 1;
+        // As many periods of the loads as were followed, and whole periods of the motion more.
+        let many = |count: usize| f64::from(u32::try_from(count).unwrap());
+        let more = (-30.0 / largest.max(0.1).ln()).ceil();
+        let time = found.period * (more + many(found.followed) / many(found.periods));
+        let states = system.system.states(start, &[time]).unwrap();
+        let apart = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        let by = apart(&states[0].displacement, &found.start.displacement)
+            .max(apart(&states[0].velocity, &found.start.velocity));
+        assert!(by < 1e-9, "{number}: {by:e}, largest multiplier {largest}\n{text}");
+        // The trace of the map's derivative is the sum of its multipliers; where the map has a corner there is none.
+        let (n, size) = (found.start.displacement.len(), 1e-6);
+        let after = |place: usize, by: f64| -> Option<f64> {
+            let mut beside = found.start.clone();
+            *part(&mut beside, place)? += by;
+            let mut end = system.system.states(&beside, &[found.period]).ok()?.pop()?;
+            part(&mut end, place).copied()
+        };
+        let first = usize::from(machine.moved.is_some());
+        let last = n + n + usize::from(machine.elastic.is_some());
+        let places = (first..n).chain(n + first..last);
+        let trace = places.map(|place| {
+            let (low, middle, high) = (after(place, -size)?, after(place, 0.0)?, after(place, size)?);
+            let is_smooth = (low - 2.0 * middle + high).abs() < 1e-3 * size;
+            is_smooth.then_some((high - low) / (2.0 * size))
+        });
+        let Some(trace) = trace.sum::<Option<f64>>() else { continue };
+        let due: f64 = found.multipliers.iter().map(|(re, _)| re).sum();
+        assert!((trace - due).abs() < 1e-4, "{number}: {trace} {:?}\n{text}", found.multipliers);
+        traces += 1;
+    }
+    assert!(settled > 3 * count && traces > count, "{settled} {traces}");
 }
 
 #[test]
