@@ -41,7 +41,7 @@ fn designs_of_the_command_are_those_of_the_samples() {
     compared("design force mean_displacement", of(&answer, "mean_displacement"), 3.0 / 1000.0, ByHand, 1e-15);
     // In ratios, Ω = 6/√20: with static friction from a start at rest, and from every start.
     let omega = frequency / 20f64.sqrt();
-    let given = format!("--static-ratio 1.2 --damping-ratio 0.1 --format json");
+    let given = "--static-ratio 1.2 --damping-ratio 0.1 --format json";
     let ratios = json(&format!("design force --omega {omega} {given}"));
     let units = json(&format!("design force --mass 50 --stiffness 1000 --friction 5 --frequency 6 {given}"));
     compared("design force omega", of(&ratios, "omega"), omega, ByHand, 0.0);
