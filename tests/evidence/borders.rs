@@ -1,5 +1,7 @@
 //! The border, its touching phase, cycles as functions of the phase and families, beside dense samples: in ratios.
 
+use crate::compared::Origin::DenseSamples;
+use crate::compared::{agreed, compared, near};
 use crate::random::Random;
 use crate::sampled::{Cycle as Sampled, Harmonic, Limit, Load, Machine, Of};
 use std::f64::consts::TAU;
@@ -44,19 +46,19 @@ fn the_motion_on_the_border_touches_zero_where_it_is_said() {
         let Limit::Periodic(found) = harmonic(at).limit(start, phase, 3000) else { continue };
         let most = found.found.most(Of::Displacement);
         // The displacement changes with the force as 1/|1 − Ω²|.
-        let close = (most.value / border.least_displacement - 1.0).abs();
-        assert!(close < 1e-5 / (1.0 - omega * omega).abs().min(1.0), "{at:?}: {} {border:?}", most.value);
+        let room = 1e-5 / (1.0 - omega * omega).abs().min(1.0);
+        near("border least_displacement", border.least_displacement, most.value, DenseSamples, room);
         let tau = border.border_phase;
         if tau == 0.0 {
             // The force left over at the turning point is that of the static bound.
             turned += 1;
             let left = (alpha * (omega * most.time).sin() - most.value).abs();
-            assert!((left - eta).abs() < 1e-4 * (1.0 + alpha), "{at:?}: {left}");
+            compared("border border_phase", left, eta, DenseSamples, 1e-4 * (1.0 + alpha));
         } else {
             touched += 1;
             let speeds = harmonic(at).states(&found, omega * most.time + tau);
             let fastest = found.found.most(Of::Velocity).value;
-            assert!(speeds[0][1].abs() < 1e-3 * fastest, "{at:?} {tau}: {speeds:?} {fastest}");
+            compared("border border_phase", speeds[0][1], 0.0, DenseSamples, 1e-3 * fastest);
         }
     }
     assert!(touched > 8 && turned > 12, "{touched} {turned}");
@@ -83,7 +85,10 @@ fn minima_slopes_and_shortfalls_of_the_border_are_those_of_the_samples() {
     for omega in [0.97 * short.low, 1.02 * short.low, 0.45, 0.52] {
         let printed = Border::new(omega).unwrap().min_force_ratio_turning_point;
         let is_short = omega > short.low && omega < short.high;
-        assert_eq!(is_free(omega, printed * (1.0 + 1e-6)), !is_short, "{omega} {short:?}");
+        for of in ["response", "border"] {
+            let output = format!("{of} min_force_ratio_turning_point");
+            agreed(&output, is_free(omega, printed * (1.0 + 1e-6)), !is_short, DenseSamples);
+        }
     }
     for omega in [0.27, 0.41, 0.7, 0.9, 1.4, 2.3] {
         let slope = Border::slope(&PhaseFunction::new(omega).unwrap());

@@ -1,6 +1,7 @@
 //! Guaranteed digits beside motions at 40 digits by another program, tests/data/enclosed.py: every ball contains its
 //! reference.
 
+use crate::compared::{Origin::AnotherProgram, recorded};
 use serde_json::Value;
 use stickslip::enclosed::{self, Enclosure, Known};
 use stickslip::float::Mp;
@@ -20,7 +21,7 @@ fn number<const N: usize>(value: &Value) -> Mp<N> {
 }
 
 /// Holds a ball against 40 digits: it contains them, or misses them by their own rounding only.
-fn hold(name: &str, ball: &Enclosure, digits: &Value, case: &Value) {
+fn hold(of: &str, name: &str, ball: &Enclosure, digits: &Value, case: &Value) {
     let reference: Mp<4> = digits.as_str().unwrap().parse().unwrap();
     let middle = Mp::<4>::from(&ball.mid);
     let rad = Mp::<4>::from(&ball.rad);
@@ -28,6 +29,7 @@ fn hold(name: &str, ball: &Enclosure, digits: &Value, case: &Value) {
     let off = (reference - middle).abs();
     assert!(off <= room, "{name}: {ball} and {digits} of {case}");
     assert!(rad <= (reference.abs() + Mp::from(1e-3)) * Mp::from(1e-12), "{name}: ± {rad} of {case}");
+    recorded(&format!("--enclose {of}"), &ball.to_string(), digits, AnotherProgram, 0.0);
 }
 
 #[test]
@@ -62,7 +64,7 @@ fn records_contain_their_references() {
             let reference = &case["answer"][name];
             match entry {
                 Entry::Count(count) => assert_eq!(reference.as_u64(), Some(count), "{name} of {case}"),
-                Entry::Value(Some(ball)) => hold(name, ball, reference, case),
+                Entry::Value(Some(ball)) => hold("record", name, ball, reference, case),
                 Entry::Value(None) => assert!(reference.is_null(), "{name} of {case}"),
             }
             answers += 1;
@@ -92,15 +94,15 @@ fn steady_states_contain_their_references() {
         };
         proved += 1;
         sticking += u32::from(steady.sticks_per_cycle > 0);
-        hold("max_displacement", &steady.max_displacement, &answer["max_displacement"], &case);
-        hold("max_velocity", &steady.max_velocity, &answer["max_velocity"], &case);
-        hold("stick_fraction", &steady.stick_fraction, &answer["stick_fraction"], &case);
+        hold("steady", "max_displacement", &steady.max_displacement, &answer["max_displacement"], &case);
+        hold("steady", "max_velocity", &steady.max_velocity, &answer["max_velocity"], &case);
+        hold("steady", "stick_fraction", &steady.stick_fraction, &answer["stick_fraction"], &case);
         for (ball, name) in
             [(&steady.min_displacement, "max_displacement"), (&steady.min_velocity, "max_velocity")]
         {
             let mut mirror = ball.clone();
             mirror.mid = -mirror.mid;
-            hold(name, &mirror, &answer[name], &case);
+            hold("steady", name, &mirror, &answer[name], &case);
         }
         assert_eq!(answer["sticks_per_cycle"].as_u64(), Some(steady.sticks_per_cycle.into()), "{case}");
         let zeros = steady.velocity_zeros_per_cycle;
@@ -135,7 +137,13 @@ fn responses_contain_their_references() {
             (Output::MaxAcceleration, "max_acceleration"),
             (Output::TransmittedForce, "transmitted_force"),
         ] {
-            hold(name, found.get(output).unwrap_or_else(|| panic!("{name} of {case}")), &answer[name], &case);
+            hold(
+                "response",
+                name,
+                found.get(output).unwrap_or_else(|| panic!("{name} of {case}")),
+                &answer[name],
+                &case,
+            );
         }
         let digits = |name: &str| answer[name].as_str().unwrap().parse::<Mp<4>>().unwrap();
         let (alpha, omega) = (number::<4>(&case["alpha"]), number::<4>(&case["omega"]));
@@ -147,7 +155,13 @@ fn responses_contain_their_references() {
         ] {
             let name = output.definition().name;
             let text = Value::String(value.to_string());
-            hold(name, found.get(output).unwrap_or_else(|| panic!("{name} of {case}")), &text, &case);
+            hold(
+                "response",
+                name,
+                found.get(output).unwrap_or_else(|| panic!("{name} of {case}")),
+                &text,
+                &case,
+            );
         }
     }
     assert!(compared > 10, "{compared}");

@@ -1,5 +1,7 @@
 //! Every number that the library gives, beside one that its own reading did not make: the table of docs/development/evidence.md.
 
+#[path = "../compared/mod.rs"]
+mod compared;
 #[path = "../random/mod.rs"]
 mod random;
 

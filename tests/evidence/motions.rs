@@ -1,5 +1,7 @@
 //! Motions from a start, and the limits of many starts, beside dense samples: in ratios, m = k = r_y = 1.
 
+use crate::compared::Origin::{ByHand, DenseSamples};
+use crate::compared::{agreed, compared};
 use crate::random::Random;
 use crate::sampled::{Harmonic, Limit, Load, Machine, Of, record};
 use std::f64::consts::{PI, TAU};
@@ -24,6 +26,12 @@ fn close(found: f64, sampled: f64, room: f64, what: &dyn std::fmt::Debug) {
     assert!((found - sampled).abs() <= room, "{found} of the library, {sampled} of the samples: {what:?}");
 }
 
+/// The same of an output, which is recorded.
+fn held(output: &str, found: f64, sampled: f64, room: f64, what: &dyn std::fmt::Debug) {
+    close(found, sampled, room, what);
+    compared(output, found, sampled, DenseSamples, room);
+}
+
 /// Free vibration: turning points, their times, the place and the time of rest, and the count of half cycles.
 #[test]
 fn a_free_vibration_turns_and_rests_where_the_samples_do() {
@@ -39,7 +47,7 @@ fn a_free_vibration_turns_and_rests_where_the_samples_do() {
         let found = record(machine, Load::Force, &[0.0, 0.1], &[0.0, 0.0], start, 128.0);
         assert!(found.is_over, "{case:?}");
         let size = start[0].abs() + start[1].abs() + 1.0;
-        close(decay.rest_position, found.last, 1e-10 * size, &case);
+        held("decay rest_position", decay.rest_position, found.last, 1e-10 * size, &case);
         // At the start a body without a velocity is at a turning point.
         let mut turns = found.found.stops.clone();
         if start[1] == 0.0 {
@@ -50,22 +58,22 @@ fn a_free_vibration_turns_and_rests_where_the_samples_do() {
             crept += 1;
             assert!(zeta >= 1.0 && decay.half_cycles == found.found.ends + 1, "{case:?} {decay:?}");
             // The samples end near the limit, which the body never reaches.
-            close(decay.path(), found.found.path[0] + found.found.path[1], 1e-9 * size, &case);
+            held("decay path", decay.path(), found.found.path[0] + found.found.path[1], 1e-9 * size, &case);
             continue;
         }
-        assert_eq!(decay.half_cycles, found.found.ends, "{case:?}");
-        close(decay.path(), found.found.path[0] + found.found.path[1], 1e-9 * size, &case);
+        agreed("decay half_cycles", decay.half_cycles, found.found.ends, DenseSamples);
+        held("decay path", decay.path(), found.found.path[0] + found.found.path[1], 1e-9 * size, &case);
         for (n, [t, x]) in turns.iter().enumerate() {
             let Some((time, place)) = decay.turning_point(n as u64) else { panic!("{n} of {case:?}") };
-            close(place, *x, 1e-10 * size, &case);
-            close(time, *t, 1e-8 * (1.0 + t), &case);
+            held("decay displacement", place, *x, 1e-10 * size, &case);
+            held("decay time", time, *t, 1e-8 * (1.0 + t), &case);
             turned += 1;
         }
         assert_eq!(decay.turning_point(turns.len() as u64), None, "{case:?}");
         let [t, x] = turns.last().copied().unwrap_or([0.0, start[0]]);
-        close(decay.rest_time, t, 1e-8 * (1.0 + t), &case);
+        held("decay rest_time", decay.rest_time, t, 1e-8 * (1.0 + t), &case);
         close(x, found.last, 0.0, &case);
-        close(decay.first_turn, turns[0][1], 1e-10 * size, &case);
+        held("decay first_turn", decay.first_turn, turns[0][1], 1e-10 * size, &case);
     }
     assert!(turned > 150 && crept > 10, "{turned} {crept}");
 }
@@ -130,8 +138,8 @@ fn segments_and_samples_are_those_of_the_samples() {
                     follower.advance(&mut None);
                 }
             }
-            close(instant.state.x, follower.state[0], 1e-9 * size, &case);
-            close(instant.state.v * at[0], follower.state[1], 1e-9 * size, &case);
+            held("simulate --samples x", instant.state.x, follower.state[0], 1e-9 * size, &case);
+            held("simulate --samples v", instant.state.v * at[0], follower.state[1], 1e-9 * size, &case);
         }
     }
     assert!(slides > 150 && stops > 30, "{slides} {stops}");
@@ -168,9 +176,9 @@ fn a_body_comes_to_rest_where_the_samples_do() {
         };
         rested += 1;
         assert_eq!(slides, found.slides, "{case:?}");
-        close(rest.position, follower.state[0], 1e-9 * (1.0 + start[0].abs()), &case);
+        held("steady rest_position", rest.position, follower.state[0], 1e-9 * (1.0 + start[0].abs()), &case);
         let turns = (found.stops.last().unwrap()[0] * at[0] - theta) / TAU;
-        close(rest.periods, turns, 1e-8 * (1.0 + turns), &case);
+        held("steady periods", rest.periods, turns, 1e-8 * (1.0 + turns), &case);
     }
     assert!(rested > 30 && crept > 2, "{rested} {crept}");
 }
@@ -213,10 +221,14 @@ fn six_reversals_are_those_of_the_samples() {
             limit => panic!("{omega} {alpha}: {limit:?}"),
         };
         let inside = counts((low * high).sqrt());
-        assert_eq!(inside, (true, 6), "{omega} {zeta}");
-        assert!(!counts(low * (1.0 - 1e-3)).0, "{omega} {zeta} {low}");
-        let above = counts(high * (1.0 + 1e-3));
-        assert!(above != (true, 6), "{omega} {zeta} {high}: {above:?}");
+        let below = counts(low * (1.0 - 1e-3)).0;
+        let above = counts(high * (1.0 + 1e-3)) == (true, 6);
+        agreed(
+            "border no_stop_force_ratios",
+            (inside, below, above),
+            ((true, 6), false, false),
+            DenseSamples,
+        );
         let intervals: Vec<_> = forces.intervals().collect();
         assert_eq!(intervals[0].0, low, "{intervals:?}");
         compared += 1;
@@ -259,7 +271,7 @@ fn starts_lead_where_the_samples_do() {
         assert!(starts.iter().all(|start| start.x.abs() <= all.reach() && start.v.abs() <= all.reach()));
         let found = attractors(ratios(at), &starts, DEFAULT_BUDGET).unwrap();
         several += usize::from(found.limits.len() > 1);
-        assert_eq!(found.unsettled(), 0, "{at:?}");
+        agreed("attractors unsettled", found.unsettled(), 0, DenseSamples);
         let mut counts = vec![0; found.limits.len()];
         let mut ranges = vec![(f64::INFINITY, f64::NEG_INFINITY); found.limits.len()];
         for (number, start) in starts.iter().enumerate() {
@@ -271,13 +283,17 @@ fn starts_lead_where_the_samples_do() {
                 (Limit::Periodic(cycle), LongRun::Periodic(steady)) => {
                     let (most, least) =
                         (cycle.found.most(Of::Displacement), cycle.found.least(Of::Displacement));
-                    close(steady.max_displacement.value, most.value, 1e-8, &(at, number));
-                    close(steady.min_displacement.value, least.value, 1e-8, &(at, number));
-                    assert_eq!(u64::from(steady.sticks_per_cycle), cycle.found.rests, "{at:?} {number}");
-                    assert_eq!(steady.turns_per_cycle, cycle.turns, "{at:?} {number}");
+                    let of = |name: &str| format!("attractors[] {name}");
+                    let (highest, lowest) = (steady.max_displacement.value, steady.min_displacement.value);
+                    held(&of("max_displacement"), highest, most.value, 1e-8, &(at, number));
+                    held(&of("min_displacement"), lowest, least.value, 1e-8, &(at, number));
+                    let sticks = u64::from(steady.sticks_per_cycle);
+                    agreed(&of("sticks_per_cycle"), sticks, cycle.found.rests, DenseSamples);
+                    agreed(&of("turns_per_cycle"), steady.turns_per_cycle, cycle.turns, DenseSamples);
                     if let Some(mirror) = attractor.mirror {
                         let LongRun::Periodic(other) = &found.limits[mirror].limit else { panic!("{at:?}") };
-                        close(other.max_displacement.value, -least.value, 1e-8, &(at, number));
+                        let highest = other.max_displacement.value;
+                        held("attractors[] mirror", highest, -least.value, 1e-8, &(at, number));
                     }
                 }
                 (Limit::Rest(x), LongRun::Rest(_)) => {
@@ -288,10 +304,10 @@ fn starts_lead_where_the_samples_do() {
             }
         }
         for (attractor, (count, range)) in found.limits.iter().zip(counts.iter().zip(&ranges)) {
-            assert_eq!(attractor.starts, *count, "{at:?}");
+            agreed("attractors[] starts", attractor.starts, *count, DenseSamples);
             if let Some((low, high)) = attractor.range {
-                close(low, range.0, 1e-9, &at);
-                close(high, range.1, 1e-9, &at);
+                held("attractors[] rest_from", low, range.0, 1e-9, &at);
+                held("attractors[] rest_to", high, range.1, 1e-9, &at);
             }
         }
     }
@@ -319,8 +335,11 @@ fn periodic_motions_repeat_by_the_samples() {
             // The derivative at a point within a slide, reached by a part of a turn.
             let [sum, product] = harmonic.multipliers(start, phase, steady.turns_per_cycle);
             let [(a, b), (c, d)] = steady.multipliers;
-            close(a + c, sum, 1e-4 * growth, &(at, steady.multipliers));
-            close(a * c - b * d, product, 1e-4 * growth * growth, &(at, steady.multipliers));
+            let case = &(at, steady.multipliers);
+            for of in ["steady multipliers", "attractors[] multipliers"] {
+                held(of, a + c, sum, 1e-4 * growth, case);
+                held(of, a * c - b * d, product, 1e-4 * growth * growth, case);
+            }
         }
     }
     assert!(unstable > 0);
@@ -419,7 +438,19 @@ fn neighbours_of_an_irregular_motion_part_as_the_exponent_says() {
     }
     let mean = rates.iter().sum::<f64>() / rates.len() as f64;
     let error = motion.lyapunov_exponent_error.max(0.02);
-    assert!((mean - motion.lyapunov_exponent).abs() < 5.0 * error, "{mean} {motion:?}");
+    // The spread of the means of 30 parts, whose own standard error is a part of 1/√58: four times that.
+    let parts: Vec<f64> =
+        rates.chunks(rates.len() / 30).map(|of| of.iter().sum::<f64>() / of.len() as f64).collect();
+    let square = parts.iter().map(|part| (part - mean) * (part - mean)).sum::<f64>() / 29.0;
+    let spread = (square / 30.0 * 1500.0 / motion.turns as f64).sqrt();
+    let from_starts = attractors(ratios(at), &[State::default()], DEFAULT_BUDGET).unwrap();
+    let LongRun::Irregular(same) = &from_starts.limits[0].limit else { panic!("{from_starts:?}") };
+    for (of, motion) in [("steady", &motion), ("attractors[]", same)] {
+        let output = format!("{of} lyapunov_exponent");
+        compared(&output, motion.lyapunov_exponent, mean, DenseSamples, 5.0 * error);
+        let output = format!("{of} lyapunov_exponent_error");
+        compared(&output, motion.lyapunov_exponent_error, spread, DenseSamples, 0.525 * spread);
+    }
 }
 
 /// A body pulled through its spring at a constant speed: its slips and sticks, and the speed of smooth sliding.
@@ -473,22 +504,22 @@ fn a_pulled_body_slips_and_sticks_as_the_samples_do() {
         };
         let least = stickslip::motion::Pull::new(&body, 1e-3).unwrap().smooth_above.unwrap();
         let case = (zeta, eta, least);
-        assert_eq!(follow(0.99 * least).0.len(), 4, "{case:?}");
         // From rest the first slip is the steady one, or there is none.
-        assert_eq!(follow(1.01 * least).0.len(), 0, "{case:?}");
+        let slips = [0.99, 1.01].map(|by| follow(by * least).0.len());
+        agreed("pull smooth_above", slips, [4, 0], DenseSamples);
         let speed = least * random.scale(0.02, 0.95);
         let pull = stickslip::motion::Pull::new(&body, speed).unwrap();
         let (slips, fastest) = follow(speed);
         let (first, last) = (slips[slips.len() - 2], slips[slips.len() - 1]);
         let period = last.0 - first.0;
-        close(pull.period.unwrap(), period, 1e-8 * period, &case);
-        close(pull.slip_time.unwrap(), last.1, 1e-8 * period, &case);
-        close(pull.stick_time.unwrap(), period - last.1, 1e-8 * period, &case);
-        close(pull.slip_distance.unwrap(), last.2, 1e-8 * last.2, &case);
-        close(pull.max_velocity, fastest, 1e-9 * fastest, &case);
+        held("pull period", pull.period.unwrap(), period, 1e-8 * period, &case);
+        held("pull slip_time", pull.slip_time.unwrap(), last.1, 1e-8 * period, &case);
+        held("pull stick_time", pull.stick_time.unwrap(), period - last.1, 1e-8 * period, &case);
+        held("pull slip_distance", pull.slip_distance.unwrap(), last.2, 1e-8 * last.2, &case);
+        held("pull max_velocity", pull.max_velocity, fastest, 1e-9 * fastest, &case);
         let above = stickslip::motion::Pull::new(&body, 1.5 * least).unwrap();
         smooth += u32::from(above.period.is_none());
-        close(above.max_velocity, 1.5 * least, 1e-15 * least, &case);
+        compared("pull max_velocity", above.max_velocity, 1.5 * least, ByHand, 1e-15 * least);
     }
     assert_eq!(smooth, 40);
 }

@@ -9,6 +9,8 @@ mod invariants;
 
 #[cfg(feature = "generators")]
 mod any;
+#[path = "../compared/mod.rs"]
+mod compared;
 mod creep;
 mod ends;
 #[path = "../random/generator.rs"]

@@ -1,6 +1,7 @@
 //! Sixteen machines under records, with answers to 25 digits from an independent program, and twenty-four with accelerations
 //! and forces from one that steps in time.
 
+use crate::compared::{Origin::AnotherProgram, compared};
 use serde_json::Value;
 use stickslip::motion::record::{Body, Record};
 use stickslip::{Excitation, Float};
@@ -32,8 +33,9 @@ fn built<F: Float>(case: &Value, number: impl Fn(&str) -> F) -> (Body<F>, Record
     (body, record)
 }
 
-/// Holds every answer against the references: values relative to their size, and times in seconds.
-fn hold<F: Float>(number: impl Fn(&str) -> F + Copy, relative: F, seconds: F) {
+/// Holds every answer against the references, values relative to their size and times in seconds, and keeps what it compared with the
+/// bound.
+fn hold<F: Float>(number: impl Fn(&str) -> F + Copy, relative: F, seconds: F, keep: impl Fn(&str, F, F, F)) {
     for (index, case) in cases().iter().enumerate() {
         let (body, record) = built(case, number);
         let found = body.follow(&record).unwrap();
@@ -58,6 +60,7 @@ fn hold<F: Float>(number: impl Fn(&str) -> F + Copy, relative: F, seconds: F) {
         ] {
             let error = (value - of(name)).abs() / size;
             assert!(error < relative, "{index} {name}: {value:?} against {:?}, {error:?}", of(name));
+            keep(name, value, of(name), relative * size);
         }
         for (name, value) in [
             ("max_x_time", found.max_displacement_time.unwrap()),
@@ -66,6 +69,7 @@ fn hold<F: Float>(number: impl Fn(&str) -> F + Copy, relative: F, seconds: F) {
             ("min_v_time", found.min_velocity_time.unwrap()),
         ] {
             assert!((value - of(name)).abs() < seconds, "{index} {name}: {value:?} against {:?}", of(name));
+            keep(name, value, of(name), seconds);
         }
         // The references count the rest of the step in which a body stops after the record.
         let step = record.step().unwrap();
@@ -74,19 +78,30 @@ fn hold<F: Float>(number: impl Fn(&str) -> F + Copy, relative: F, seconds: F) {
         let after = if last > F::int(0) { step - (last - (last / step).floor() * step) } else { F::int(0) };
         let error = (found.stick_time + after - of("stick_time")).abs();
         assert!(error < seconds, "{index} rest: {:?} + {after:?}, {error:?}", found.stick_time);
+        keep("stick_time", found.stick_time + after, of("stick_time"), seconds);
     }
 }
 
 #[test]
 fn every_answer_of_the_references_is_met() {
-    hold(|text| text.parse::<f64>().unwrap(), 1e-12, 1e-11);
+    hold(
+        |text| text.parse::<f64>().unwrap(),
+        1e-12,
+        1e-11,
+        |name, ours, other, bound| {
+            let names = [("_x", "_displacement"), ("_v", "_velocity"), ("", "")];
+            let of = names.iter().find(|(short, _)| name.contains(short)).unwrap();
+            let output = format!("record {}", name.replacen(of.0, of.1, 1));
+            compared(&output, ours, other, AnotherProgram, bound);
+        },
+    );
 }
 
 #[cfg(feature = "mp")]
 #[test]
 fn every_answer_of_the_references_is_met_to_20_digits() {
     use stickslip::float::Mp;
-    hold(|text| text.parse::<Mp<2>>().unwrap(), Mp::from(1e-20), Mp::from(1e-20));
+    hold(|text| text.parse::<Mp<2>>().unwrap(), Mp::from(1e-20), Mp::from(1e-20), |_, _, _, _| ());
 }
 
 /// Every answer of the references is enclosed to 18 digits, and so is the motion at 512 bits.

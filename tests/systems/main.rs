@@ -4,6 +4,9 @@
 #[path = "../drawn/mod.rs"]
 mod drawn;
 
+#[path = "../compared/mod.rs"]
+mod compared;
+
 mod base;
 mod cases;
 mod closed_form;

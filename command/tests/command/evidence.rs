@@ -4,6 +4,7 @@ mod designs;
 mod identified;
 mod motions;
 mod records;
+mod same;
 mod systems;
 mod units;
 

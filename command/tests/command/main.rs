@@ -2,6 +2,7 @@
 
 #[path = "../command_line/mod.rs"]
 mod command_line;
+#[path = "../../../tests/compared/mod.rs"]
 mod compared;
 #[path = "../../../tests/drawn/mod.rs"]
 mod drawn;

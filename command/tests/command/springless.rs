@@ -28,7 +28,7 @@ fn closed_forms_are_the_limits_for_high_frequencies() {
         let far = (alpha * alpha - PI * PI / 4.0).sqrt();
         let of = |name: &str| number(&answer, name);
         let near = |name: &str, other: f64| {
-            compared(&format!("response {name}"), of(name), other, Origin::ByHand, 1e-14 * other.abs());
+            compared(&format!("physical {name}"), of(name), other, Origin::ByHand, 1e-14 * other.abs());
         };
         near("max_displacement", far * LENGTH);
         near("energy_per_cycle", 4.0 * 4.0 * far * LENGTH);
@@ -128,7 +128,7 @@ fn a_constant_force_makes_it_drift() {
             ));
             assert_eq!(answer["kind"], "periodic", "{answer}");
             let ours = answer["drift"][0].as_f64().unwrap();
-            compared("steady drift", ours, drift * LENGTH, Origin::ByHand, 1e-11 * (alpha * LENGTH));
+            compared("system steady drift", ours, drift * LENGTH, Origin::ByHand, 1e-11 * (alpha * LENGTH));
             let speed = answer["mean_velocity"][0].as_f64().unwrap();
             compared(
                 "steady mean_velocity",

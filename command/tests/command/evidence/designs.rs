@@ -3,7 +3,7 @@
 use super::{keys, rows};
 use crate::command_line::{json, stdout};
 use crate::compared::Origin::{ByHand, DenseSamples};
-use crate::compared::{agreed, compared};
+use crate::compared::{agreed, compared, near};
 use crate::sampled::{Harmonic, Limit, Load, Machine, Of};
 use serde_json::Value;
 use std::collections::BTreeSet;
@@ -35,17 +35,71 @@ fn designs_of_the_command_are_those_of_the_samples() {
         ("base_acceleration", Load::Surface, -1.0),
     ] {
         let amplitude = size * of(&answer, name);
-        assert!(is_free(amplitude * 1.0001, friction, 1.0, load).0, "{name}");
-        assert!(!is_free(amplitude * 0.9999, friction, 1.0, load).0, "{name}");
+        let found = [0.9999, 1.0001].map(|by| is_free(amplitude * by, friction, 1.0, load).0);
+        agreed(&format!("design force {name}"), found, [false, true], DenseSamples);
     }
-    assert!((of(&answer, "mean_displacement") - 0.003).abs() < 1e-15);
+    compared("design force mean_displacement", of(&answer, "mean_displacement"), 3.0 / 1000.0, ByHand, 1e-15);
+    // In ratios, Ω = 6/√20: with static friction from a start at rest, and from every start.
+    let omega = frequency / 20f64.sqrt();
+    let given = "--static-ratio 1.2 --damping-ratio 0.1 --format json";
+    let ratios = json(&format!("design force --omega {omega} {given}"));
+    let units = json(&format!("design force --mass 50 --stiffness 1000 --friction 5 --frequency 6 {given}"));
+    compared("design force omega", of(&ratios, "omega"), omega, ByHand, 0.0);
+    let damping = 2.0 * 0.1 * 5e4f64.sqrt();
+    let limits = |force: f64| {
+        [[0.0, 0.0], [0.05, 0.0], [-0.3, 0.2], [0.0, -0.5]].map(|start| {
+            let machine = Machine::new([mass, stiffness, damping], [friction, 0.0, 1.2], 0.0);
+            let harmonic = Harmonic { machine, load: Load::Force, amplitude: force, frequency };
+            match harmonic.limit(start, 0.0, 3000) {
+                Limit::Periodic(cycle) => Some(cycle.found.rests),
+                _ => None,
+            }
+        })
+    };
+    // The least force of a cycle without stops: the samples on it go on, and stop below.
+    let slides = |force: f64, by: f64| {
+        let machine = Machine::new([mass, stiffness, damping], [friction, 0.0, 1.2], 0.0);
+        let start = |force: f64| Harmonic { machine, load: Load::Force, amplitude: force, frequency };
+        // From far away, so that the body is moving when it comes to the cycle.
+        match start(force * by).limit([5.0, 0.0], 0.0, 3000) {
+            Limit::Periodic(cycle) => cycle.found.rests == 0,
+            _ => false,
+        }
+    };
+    for (name, force) in
+        [("force_ratio", friction * of(&ratios, "force_ratio")), ("force", of(&units, "force"))]
+    {
+        let found = [slides(force, 0.9999), slides(force, 1.0001)];
+        agreed(&format!("design force {name}"), found, [false, true], DenseSamples);
+    }
+    for (name, force) in [
+        ("release_force", of(&units, "release_force")),
+        ("release_force_ratio", friction * of(&ratios, "release_force_ratio")),
+    ] {
+        let output = format!("design force {name}");
+        let found = [0.999, 1.001].map(|by| limits(by * force)[0].is_some());
+        agreed(&output, found, [false, true], DenseSamples);
+        near(&output, force, 1.2 * friction, ByHand, 1e-12);
+    }
+    for (name, force) in [
+        ("every_start_force", of(&units, "every_start_force")),
+        ("every_start_force_ratio", friction * of(&ratios, "every_start_force_ratio")),
+    ] {
+        agreed(&format!("design force {name}"), limits(force * (1.0 + 1e-9)), [Some(0); 4], DenseSamples);
+    }
+    let ratios = json(&format!("design friction --omega {omega} --format json"));
+    compared("design friction omega", of(&ratios, "omega"), omega, ByHand, 0.0);
+    let greatest = 12.0 * of(&ratios, "friction_to_force");
+    let found = [0.9999, 1.0001].map(|by| is_free(12.0, by * greatest, 1.0, Load::Force).0);
+    agreed("design friction friction_to_force", found, [true, false], DenseSamples);
     let answer = json(
         "design friction --mass 50 --stiffness 1000 --frequency 6 --force 12 --static-ratio 1.2 --format json",
     );
     let best = json("design friction --mass 50 --stiffness 1000 --frequency 6 --force 12 --format json");
-    assert!(is_free(12.0, of(&best, "friction") * 0.9999, 1.0, Load::Force).0);
-    assert!(!is_free(12.0, of(&best, "friction") * 1.0001, 1.0, Load::Force).0);
-    assert!((of(&best, "friction_coefficient") * mass * 9.80665 / of(&best, "friction") - 1.0).abs() < 1e-12);
+    let found = [0.9999, 1.0001].map(|by| is_free(12.0, by * of(&best, "friction"), 1.0, Load::Force).0);
+    agreed("design friction friction", found, [true, false], DenseSamples);
+    let due = of(&best, "friction") / (mass * 9.80665);
+    near("design friction friction_coefficient", of(&best, "friction_coefficient"), due, ByHand, 1e-12);
     // A body at rest is released below this friction, and not above.
     let release = of(&answer, "release_friction");
     assert!(is_free(12.0, release * 0.999, 1.2, Load::Force).1);
@@ -98,6 +152,60 @@ fn frictions_for_every_start_and_for_release_are_those_of_the_samples() {
     assert!(of(&physical, "every_start_friction") < of(&physical, "friction"));
 }
 
+/// What a design repeats or follows from by a definition, beside arithmetic.
+#[test]
+fn what_designs_repeat_is_computed_by_hand() {
+    let of = |answer: &Value, name: &str| answer[name].as_f64().unwrap();
+    let body = "--mass 50kg --stiffness 1000N/m --friction 5N";
+    let omega = 6.0 / 20f64.sqrt();
+    for (kind, option) in [("design dissipation", ""), ("design dissipation --sticking", " --sticking")] {
+        let units = json(&format!(
+            "design dissipation --mass 50kg --stiffness 1000N/m --frequency 6rad/s --force 12N{option} --format json"
+        ));
+        let ratios = json(&format!("design dissipation --omega {omega}{option} --format json"));
+        // A search ends where the energy is flat: within the root of its rounding.
+        let part = if option.is_empty() { 1e-12 } else { 1e-6 };
+        let (ratio, size) = (12.0 / of(&units, "friction"), of(&units, "energy") * 2.0 * 1000.0 / 144.0);
+        near(&format!("{kind} force_ratio"), of(&ratios, "force_ratio"), ratio, ByHand, part);
+        near(&format!("{kind} loop_size_stiffness"), of(&ratios, "loop_size_stiffness"), size, ByHand, 1e-12);
+    }
+    // Bands in units and in ratios: Ω times ω_n = √20.
+    let natural = 20f64.sqrt();
+    let bands = json(&format!("design bands {body} --force 60N --from 1rad/s --to 9rad/s --format json"));
+    let ratios = json(&format!(
+        "design bands --alpha 12 --from {} --to {} --format json",
+        1.0 / natural,
+        9.0 / natural
+    ));
+    let (bands, ratios) = (bands.as_array().unwrap(), ratios.as_array().unwrap());
+    assert!(bands.len() == 2 && ratios.len() == 2);
+    for (band, same) in bands.iter().zip(ratios) {
+        for end in ["from", "to"] {
+            let due = of(same, &format!("omega_{end}")) * natural;
+            near(
+                &format!("design bands frequency_{end}"),
+                of(band, &format!("frequency_{end}")),
+                due,
+                ByHand,
+                1e-12,
+            );
+        }
+    }
+    // Friction over a band: the coefficient, and the crest at this friction.
+    let best = json(
+        "design friction --mass 50kg --stiffness 1000N/m --damping 10N*s/m --over 0.2Hz:2Hz --of displacement --force 12N --format json",
+    );
+    let output = "design friction --over";
+    let coefficient = of(&best, "friction") / 50.0 / 9.80665;
+    near(
+        &format!("{output} friction_coefficient"),
+        of(&best, "friction_coefficient"),
+        coefficient,
+        ByHand,
+        1e-12,
+    );
+}
+
 /// `rest_friction`: from it on the samples from rest never move over the band, and below it they do somewhere.
 #[test]
 fn the_friction_of_rest_over_a_band_is_that_of_the_samples() {
@@ -144,20 +252,40 @@ fn frictions_for_an_amplitude_are_those_of_the_samples() {
         let solutions = answer["solutions"].as_array().unwrap();
         let of = |solution: &Value, name: &str| solution[name].as_f64().unwrap();
         assert!(!solutions.is_empty(), "{answer}");
-        assert!((of(&answer, "target_amplitude") - target).abs() < 1e-15, "{answer}");
+        let output = "design friction --target-amplitude";
+        compared(
+            &format!("{output} target_amplitude"),
+            of(&answer, "target_amplitude"),
+            target,
+            ByHand,
+            1e-15,
+        );
         for solution in solutions {
             let friction = of(solution, "friction");
             let (found, sticks) = amplitude(friction);
-            assert!((found / target - 1.0).abs() < 1e-8, "{solution}: {found}");
-            assert!((of(solution, "max_displacement") / target - 1.0).abs() < 1e-8, "{solution}");
-            assert_eq!(solution["regime"], if sticks { "sticking" } else { "non-sticking" }, "{solution}");
-            let coefficient = of(solution, "friction_coefficient") * 50.0 * 9.80665;
-            assert!((coefficient / friction - 1.0).abs() < 1e-12, "{solution}");
+            near(&format!("{output}[] friction"), target, found, DenseSamples, 1e-8);
+            near(
+                &format!("{output}[] max_displacement"),
+                of(solution, "max_displacement"),
+                found,
+                DenseSamples,
+                1e-8,
+            );
+            let regime = if sticks { "sticking" } else { "non-sticking" };
+            agreed(&format!("{output}[] regime"), solution["regime"].as_str(), Some(regime), DenseSamples);
+            let coefficient = of(solution, "friction_coefficient");
+            near(
+                &format!("{output}[] friction_coefficient"),
+                coefficient,
+                friction / 50.0 / 9.80665,
+                ByHand,
+                1e-12,
+            );
         }
         // Over a grid the samples pass the amplitude as often as there are solutions.
         let grid: Vec<bool> = (1..40).map(|i| amplitude(0.29 * f64::from(i)).0 > target).collect();
         let passes = grid.windows(2).filter(|pair| pair[0] != pair[1]).count();
-        assert_eq!(passes, solutions.len(), "{target}: {answer} {grid:?}");
+        agreed(&format!("{output} solutions"), solutions.len(), passes, DenseSamples);
     }
 }
 
@@ -201,12 +329,13 @@ fn curves_of_the_command_are_those_of_the_samples() {
                 };
                 compared += 1;
                 let value: f64 = row[column].parse().unwrap();
-                assert!((value / expected - 1.0).abs() < 1e-8, "{line}: {row:?} {expected}");
+                near(&format!("response-curve {what}"), value, expected, DenseSamples, 1e-8);
+                near("response-curve frequency", value, expected, DenseSamples, 1e-8);
                 let regime = if found.rests == 0 { "non-sticking" } else { "sticking" };
-                assert_eq!(&row[2], regime, "{line}: {row:?}");
+                agreed("response-curve regime", &row[2], regime, DenseSamples);
                 // The force over the least one that keeps the samples sliding.
                 let margin: f64 = row[4].parse().unwrap();
-                assert_eq!(margin > 1.0, found.rests == 0, "{line}: {row:?}");
+                agreed("response-curve margin", margin > 1.0, found.rests == 0, DenseSamples);
             }
             assert!(compared > 4, "{line}: {compared}");
         }

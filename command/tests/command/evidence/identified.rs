@@ -2,16 +2,52 @@
 
 use super::file;
 use crate::command_line::{json, refused, stdout};
-use crate::compared::Origin::DenseSamples;
-use crate::compared::{agreed, compared};
+use crate::compared::Origin::{ByHand, DenseSamples};
+use crate::compared::{agreed, compared, near};
 use crate::random::Random;
 use crate::sampled::{Cycle, Harmonic, Limit, Load, Machine, Of, positions, record};
-use serde_json::json;
+use serde_json::{Value, json};
 use std::f64::consts::TAU;
 
 /// A response curve of the samples of 5 kg on 2 kN/m with 40 N and ζ = 3 % under 100 N, with relative noise.
 pub(super) fn curve_of_samples(random: &mut Random, noise: f64) -> String {
     curve_of(random, noise, |_, cycle| cycle.found.most(Of::Displacement).value)
+}
+
+/// The motion of the samples at a frequency.
+fn limit_at(frequency: f64) -> Cycle {
+    let machine = Machine::new([5.0, 2000.0, 6.0], [40.0, 0.0, 1.0], 0.0);
+    let harmonic = Harmonic { machine, load: Load::Force, amplitude: 100.0, frequency };
+    match harmonic.limit([0.0, 0.0], 0.0, 3000) {
+        Limit::Periodic(cycle) => *cycle,
+        limit => panic!("{limit:?}"),
+    }
+}
+
+fn stops_at(frequency: f64) -> bool {
+    limit_at(frequency).found.rests > 0
+}
+
+/// The phases of the peaks of the samples with an error of 0.01 rad up and down in turn, and amplitudes with one of 1 %.
+fn phases_are_identified(folder: &tempfile::TempDir) {
+    let mut text = "frequency[rad/s],amplitude[mm],phase[rad]\n".to_owned();
+    for i in 0..16 {
+        let frequency = 20.0 * (0.5 + 0.09 * f64::from(i));
+        let most = limit_at(frequency).found.most(Of::Displacement);
+        let phase = (frequency * most.time).rem_euclid(TAU) + if i % 2 == 0 { 0.01 } else { -0.01 };
+        let by = if i % 4 < 2 { 1.01 } else { 0.99 };
+        text += &format!("{frequency},{},{phase}\n", 1e3 * by * most.value);
+    }
+    let name = file(folder, "phases.csv", &text);
+    let answer = json(&format!("identify {name} --mass 5kg --stiffness 2kN/m --force 100N --format json"));
+    let of = |name: &str| format!("identify {name}");
+    agreed(&of("phase_kind"), answer["phase_kind"].as_str(), Some("peak"), ByHand);
+    agreed(&of("better_phase"), &answer["better_phase"], &Value::Null, ByHand);
+    compared(&of("phase_noise"), answer["phase_noise"].as_f64().unwrap(), 0.01, DenseSamples, 2e-3);
+    for (i, residual) in answer["phase_residuals"].as_array().unwrap().iter().enumerate() {
+        let due = if i % 2 == 0 { 0.01 } else { -0.01 };
+        compared(&of("phase_residuals"), residual.as_f64().unwrap(), due, DenseSamples, 2e-3);
+    }
 }
 
 /// The same with another amplitude of the motion.
@@ -37,13 +73,33 @@ fn a_curve_of_the_samples_is_identified() {
     let exact = file(&folder, "exact.csv", &curve_of_samples(&mut Random(73), 0.0));
     let answer = json(&format!("identify {exact} {options}"));
     let value = |name: &str| answer[name]["value"].as_f64().unwrap();
-    assert!((value("friction") / 40.0 - 1.0).abs() < 1e-4, "{answer}");
-    assert!((value("damping_ratio") / 0.03 - 1.0).abs() < 1e-3, "{answer}");
-    assert!((value("damping") / 6.0 - 1.0).abs() < 1e-3, "{answer}");
-    let coefficient = answer["friction_coefficient"]["value"].as_f64().unwrap();
-    assert!((coefficient / (40.0 / 5.0 / 9.80665) - 1.0).abs() < 1e-4, "{answer}");
-    assert!(answer["noise"].as_f64().unwrap() < 1e-4, "{answer}");
-    assert_eq!((answer["measurements"].as_u64(), answer["used"].as_u64()), (Some(16), Some(16)));
+    let of = |name: &str| format!("identify {name}");
+    for (name, due, part) in [
+        ("friction", 40.0, 1e-4),
+        ("damping_ratio", 0.03, 1e-3),
+        ("damping", 6.0, 1e-3),
+        ("friction_coefficient", 40.0 / 5.0 / 9.80665, 1e-4),
+    ] {
+        near(&of(name), value(name), due, DenseSamples, part);
+    }
+    compared(&of("noise"), answer["noise"].as_f64().unwrap(), 0.0, DenseSamples, 1e-4);
+    for name in ["measurements", "used"] {
+        agreed(&of(name), answer[name].as_u64(), Some(16), ByHand);
+    }
+    for (name, due) in [
+        ("amplitude_kind", json!("peak")),
+        ("search_is_complete", json!(true)),
+        ("suspects", json!([])),
+        ("better_reading", Value::Null),
+        ("ignored_columns", json!([])),
+    ] {
+        agreed(&of(name), &answer[name], &due, ByHand);
+    }
+    // Of the samples of each frequency: whether they stop.
+    let stops: Vec<bool> = (0..16).map(|i| stops_at(20.0 * (0.5 + 0.09 * f64::from(i)))).collect();
+    agreed(&of("stops"), &answer["stops"], &json!(stops), DenseSamples);
+    // With phases of the samples, by another reading of which the fit is worse.
+    phases_are_identified(&folder);
     // A wrong value is named, and moves nothing.
     let noisy = curve_of_samples(&mut Random(74), 0.01);
     let mut lines: Vec<String> = noisy.lines().map(str::to_owned).collect();
@@ -58,14 +114,14 @@ fn a_curve_of_the_samples_is_identified() {
     for (name, truth) in [("friction", 40.0), ("damping_ratio", 0.03), ("damping", 6.0)] {
         let [low, high] = interval(name);
         let room = 0.5 * (high - low);
+        compared(&of(name), 0.5 * (low + high), truth, DenseSamples, high - low);
         assert!(low - room < truth && truth < high + room, "{name} {truth}: {answer}");
     }
-    assert_eq!(answer["used"].as_u64(), Some(15), "{answer}");
-    assert_eq!(answer["suspects"].as_array().unwrap().len(), 1, "{answer}");
-    assert_eq!(answer["residuals"].as_array().unwrap().len(), 16, "{answer}");
+    agreed(&of("used"), answer["used"].as_u64(), Some(15), DenseSamples);
+    agreed(&of("suspects"), answer["suspects"].as_array().unwrap().len(), 1, DenseSamples);
+    agreed(&of("residuals"), answer["residuals"].as_array().unwrap().len(), 16, ByHand);
     assert_eq!(answer["search_is_complete"], true, "{answer}");
-    let residual = answer["residuals"][7].as_f64().unwrap();
-    assert!((residual - 0.6 / 1.6).abs() < 0.02, "{answer}");
+    compared(&of("residuals"), answer["residuals"][7].as_f64().unwrap(), 0.6 / 1.6, DenseSamples, 0.02);
     assert!((0.004..0.025).contains(&answer["noise"].as_f64().unwrap()), "{answer}");
 }
 
@@ -124,18 +180,31 @@ fn a_decay_of_the_samples_is_identified() {
     let peaks = file(&folder, "peaks.csv", &text);
     let answer = json(&format!("identify --decay {peaks} --mass 2kg --stiffness 50N/m --format json"));
     let value = |name: &str| answer[name]["value"].as_f64().unwrap();
-    assert!((value("friction_displacement") / 0.06 - 1.0).abs() < 1e-6, "{answer}");
-    assert!((value("damping_ratio") / 0.02 - 1.0).abs() < 1e-5, "{answer}");
-    assert!((value("amplitude") / 1.5 - 1.0).abs() < 1e-7, "{answer}");
-    assert!((value("natural_frequency") * TAU / 5.0 - 1.0).abs() < 1e-6, "{answer}");
-    assert!((value("friction") / 3.0 - 1.0).abs() < 1e-6, "{answer}");
-    assert!(
-        (answer["friction_coefficient"]["value"].as_f64().unwrap() / (3.0 / 2.0 / 9.80665) - 1.0).abs()
-            < 1e-6
-    );
-    assert_eq!(answer["measurements"].as_u64(), Some(8), "{answer}");
+    let of = |name: &str| format!("identify --decay {name}");
+    for (name, due, part) in [
+        ("friction_displacement", 0.06, 1e-6),
+        ("damping_ratio", 0.02, 1e-5),
+        ("damping", 0.4, 1e-5),
+        ("amplitude", 1.5, 1e-7),
+        ("natural_frequency", 5.0 / TAU, 1e-6),
+        ("friction", 3.0, 1e-6),
+        ("friction_coefficient", 3.0 / 2.0 / 9.80665, 1e-6),
+    ] {
+        near(&of(name), value(name), due, DenseSamples, part);
+    }
+    agreed(&of("measurements"), answer["measurements"].as_u64(), Some(8), ByHand);
+    compared(&of("noise"), answer["noise"].as_f64().unwrap(), 0.0, DenseSamples, 1e-7);
+    agreed(&of("noise_unit"), answer["noise_unit"].as_str(), Some("m"), ByHand);
+    for residual in answer["residuals"].as_array().unwrap() {
+        compared(&of("residuals"), residual.as_f64().unwrap(), 0.0, DenseSamples, 1e-6);
+    }
+    for (turn, [_, x]) in answer["turning_points"].as_array().unwrap().iter().skip(1).zip(&found.found.stops)
+    {
+        compared(&of("turning_points"), turn[1].as_f64().unwrap(), *x, DenseSamples, 1e-9);
+    }
     // Peaks of both sides with signs; they end before the rest, which alone shows static friction.
-    assert_eq!(answer["read_as"], "every-half-cycle", "{answer}");
+    agreed(&of("read_as"), answer["read_as"].as_str(), Some("every-half-cycle"), DenseSamples);
+    agreed(&of("ignored_columns"), &answer["ignored_columns"], &json!([]), ByHand);
     assert!(answer["half_cycles"].is_null() && answer["static_friction_displacement"].is_null(), "{answer}");
 }
 
@@ -178,6 +247,7 @@ fn a_motion_of_the_samples_is_identified() {
 fn identified(line: &str, is_fitted: bool) {
     let answer = json(&format!("{line} --format json"));
     let value = |name: &str| answer[name]["value"].as_f64().unwrap();
+    let of = |name: &str| format!("identify --motion {name}");
     let of_spring = [("stiffness", 50.0), ("natural_frequency", 5.0 / TAU)];
     for (name, due) in of_spring.into_iter().filter(|_| is_fitted).chain([
         ("friction", 3.0),
@@ -189,17 +259,22 @@ fn identified(line: &str, is_fitted: bool) {
         ("start_displacement", 0.007),
         ("start_velocity", 0.4),
     ]) {
-        assert!((value(name) / due - 1.0).abs() < 1e-6, "{name}: {answer}");
+        near(&of(name), value(name), due, DenseSamples, 1e-6);
         let interval = &answer[name]["interval_95"];
         assert!(
             interval[0].as_f64() <= Some(due * (1.0 + 1e-6))
                 && interval[1].as_f64() >= Some(due * (1.0 - 1e-6))
         );
     }
-    assert_eq!((answer["measurements"].as_u64(), &answer["load"]), (Some(250), &json!("force")));
+    agreed(&of("measurements"), answer["measurements"].as_u64(), Some(250), ByHand);
+    agreed(&of("load"), answer["load"].as_str(), Some("force"), ByHand);
     assert_eq!(answer["residuals"].as_array().map(Vec::len), Some(250));
-    assert!(answer["noise"].as_f64().unwrap() < 1e-8 && answer["noise_unit"] == "m", "{answer}");
-    assert_eq!(answer["ignored_columns"], json!(["temperature"]));
+    for residual in answer["residuals"].as_array().unwrap() {
+        compared(&of("residuals"), residual.as_f64().unwrap(), 0.0, DenseSamples, 1e-7);
+    }
+    compared(&of("noise"), answer["noise"].as_f64().unwrap(), 0.0, DenseSamples, 1e-8);
+    agreed(&of("noise_unit"), answer["noise_unit"].as_str(), Some("m"), ByHand);
+    agreed(&of("ignored_columns"), &answer["ignored_columns"], &json!(["temperature"]), ByHand);
     assert_eq!(answer["stiffness"].is_null(), !is_fitted, "{answer}");
     let text = stdout(line);
     assert_eq!(text.contains("stiffness k         50 N/m"), is_fitted, "{text}");

@@ -1,6 +1,8 @@
 //! Motions, their limits and maps of them beside the samples.
 
 use crate::command_line::{json, stdout, stickslip};
+use crate::compared::Origin::{ByHand, DenseSamples};
+use crate::compared::{agreed, compared, near};
 use crate::sampled::{Harmonic, Limit, Load, Machine, Of, record};
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
@@ -20,7 +22,10 @@ fn attractors_and_basins_are_those_of_the_samples() {
     let answer = json(&format!("attractors {options} --starts 40 --format json"));
     let limits = answer["attractors"].as_array().unwrap();
     let number = |value: &Value| value.as_f64().unwrap();
-    assert_eq!(answer["starts"].as_u64(), Some(40));
+    agreed("attractors starts", answer["starts"].as_u64(), Some(40), ByHand);
+    for (name, due) in [("omega", 0.5), ("alpha", 4.0), ("static_friction_ratio", 1.3)] {
+        agreed(&format!("attractors {name}"), answer[name].as_f64(), Some(due), ByHand);
+    }
     let reach = number(&answer["reach"]);
     let harmonic = ratios(at);
     let cycle = |x: f64, v: f64| match harmonic.limit([x, v * at[0]], 0.0, 3000) {
@@ -28,43 +33,69 @@ fn attractors_and_basins_are_those_of_the_samples() {
         limit => panic!("{x} {v}: {limit:?}"),
     };
     let mut starts = 0;
-    for limit in limits {
+    let of = |name: &str| format!("attractors[] {name}");
+    for (place, limit) in limits.iter().enumerate() {
         starts += limit["starts"].as_u64().unwrap();
-        assert!((number(&limit["share"]) - number(&limit["starts"]) / 40.0).abs() < 1e-12);
+        compared(&of("share"), number(&limit["share"]), number(&limit["starts"]) / 40.0, ByHand, 1e-12);
+        agreed(&of("attractor"), limit["attractor"].as_u64(), Some(place as u64 + 1), ByHand);
         let (x, v) = (number(&limit["first_x"]), number(&limit["first_v"]));
-        assert!(x.abs() <= reach && v.abs() <= reach);
+        agreed("attractors reach", x.abs() <= reach && v.abs() <= reach, true, ByHand);
         let found = cycle(x, v);
+        agreed(&of("limit"), limit["limit"].as_str(), Some("periodic"), DenseSamples);
         let most = found.found.most(Of::Displacement).value;
         let least = found.found.least(Of::Displacement).value;
-        assert!((number(&limit["max_displacement"]) - most).abs() < 1e-8, "{limit}");
-        assert!((number(&limit["min_displacement"]) - least).abs() < 1e-8, "{limit}");
-        assert_eq!(limit["sticks_per_cycle"].as_u64(), Some(found.found.rests), "{limit}");
-        assert_eq!(limit["velocity_zeros_per_cycle"].as_u64(), Some(found.found.ends), "{limit}");
-        assert_eq!(limit["turns_per_cycle"].as_u64(), Some(found.turns.into()), "{limit}");
-        assert_eq!(limit["symmetric"].as_bool(), Some(found.is_symmetric), "{limit}");
+        for (name, due) in [("max_displacement", most), ("min_displacement", least)] {
+            compared(&of(name), number(&limit[name]), due, DenseSamples, 1e-8);
+            // The start that is named leads to this attractor, and no other one.
+            compared(&of("first_x"), number(&limit[name]), due, DenseSamples, 1e-8);
+            compared(&of("first_v"), number(&limit[name]), due, DenseSamples, 1e-8);
+        }
+        agreed(
+            &of("sticks_per_cycle"),
+            limit["sticks_per_cycle"].as_u64(),
+            Some(found.found.rests),
+            DenseSamples,
+        );
+        let zeros = limit["velocity_zeros_per_cycle"].as_u64();
+        agreed(&of("velocity_zeros_per_cycle"), zeros, Some(found.found.ends), DenseSamples);
+        agreed(
+            &of("turns_per_cycle"),
+            limit["turns_per_cycle"].as_u64(),
+            Some(found.turns.into()),
+            DenseSamples,
+        );
+        agreed(&of("symmetric"), limit["symmetric"].as_bool(), Some(found.is_symmetric), DenseSamples);
         let rest = found.found.rest * at[0] / TAU / f64::from(found.turns);
-        assert!((number(&limit["stick_fraction"]) - rest).abs() < 1e-8, "{limit}");
+        compared(&of("stick_fraction"), number(&limit["stick_fraction"]), rest, DenseSamples, 1e-8);
         if let Some(mirror) = limit["mirror"].as_u64() {
             let other = &limits[mirror as usize - 1];
-            assert!((number(&other["max_displacement"]) + least).abs() < 1e-8, "{limit} {other}");
+            compared(&of("mirror"), number(&other["max_displacement"]), -least, DenseSamples, 1e-8);
         }
     }
-    assert_eq!(starts, 40);
+    agreed("attractors attractors", starts, 40, ByHand);
     let rows = stdout(&format!("basins {options} --x0=-6:6:7 --v0=-6:6:7"));
     let mut of_number: BTreeMap<String, [f64; 2]> = BTreeMap::new();
-    let mut compared = 0;
+    let mut rows_compared = 0;
     for row in csv::Reader::from_reader(rows.as_bytes()).records() {
         let row = row.unwrap();
         let found = cycle(row[0].parse().unwrap(), row[1].parse().unwrap());
         let now = [found.found.most(Of::Displacement).value, found.found.least(Of::Displacement).value];
         let before = of_number.entry(row[2].to_owned()).or_insert(now);
-        assert!(
-            (before[0] - now[0]).abs() < 1e-7 && (before[1] - now[1]).abs() < 1e-7,
-            "{row:?}: {before:?} {now:?}"
-        );
-        compared += 1;
+        for (before, now) in before.iter().zip(now) {
+            compared("basins attractor", *before, now, DenseSamples, 1e-7);
+        }
+        let place = |number: usize| -6.0 + 2.0 * number as f64;
+        let sorted = [row[0].parse::<f64>().unwrap(), row[1].parse::<f64>().unwrap()];
+        let is_there = sorted.map(|at| (0..7).any(|i| place(i) == at));
+        agreed("basins x0", is_there[0], true, ByHand);
+        agreed("basins v0", is_there[1], true, ByHand);
+        // Said in words: the turns of the samples, and whether they are symmetric.
+        let is_symmetric = !row[3].starts_with("Not symmetric");
+        agreed("basins limit", is_symmetric, found.is_symmetric, DenseSamples);
+        agreed("basins limit", row[3].contains("one turn"), found.turns == 1, DenseSamples);
+        rows_compared += 1;
     }
-    assert!(compared == 49 && of_number.len() > 1, "{compared} {of_number:?}");
+    assert!(rows_compared == 49 && of_number.len() > 1, "{rows_compared} {of_number:?}");
     let mut values = of_number.values();
     let first = values.next().unwrap();
     assert!(values.all(|value| (value[0] - first[0]).abs() > 1e-3), "{of_number:?}");
@@ -103,16 +134,35 @@ fn segments_of_the_command_are_those_of_the_samples() {
         let (start, end) = (phase("start_cycle", "start_phase"), phase("end_cycle", "end_phase"));
         assert!((start - of("start_time")).abs() < 1e-12 && (end - of("end_time")).abs() < 1e-12);
         assert!((of("duration") / frequency - (end - start)).abs() < 1e-12);
+        let same = |name: &str, unit: f64, due: f64, room: f64| {
+            compared(&format!("simulate {name}"), of(name) * unit, due, DenseSamples, room);
+        };
         let (z, _) = state(start);
-        assert!(
-            (of("start_displacement") - z[0]).abs() < 1e-9 && (of("start_x") * length - z[0]).abs() < 1e-9
-        );
-        assert!((of("start_velocity") - z[1]).abs() < 1e-8 && (of("start_v") * velocity - z[1]).abs() < 1e-8);
+        same("start_displacement", 1.0, z[0], 1e-9);
+        same("start_x", length, z[0], 1e-9);
+        same("start_velocity", 1.0, z[1], 1e-8);
+        same("start_v", velocity, z[1], 1e-8);
         let (z, _) = state(end);
-        assert!((of("end_displacement") - z[0]).abs() < 1e-9 && (of("end_x") * length - z[0]).abs() < 1e-9);
+        same("end_displacement", 1.0, z[0], 1e-9);
+        same("end_x", length, z[0], 1e-9);
+        // The direction changes at both ends, and only there.
+        let (middle, before, after) =
+            (state((start + end) / 2.0).1, state(end - 1e-6).1, state(end + 1e-6).1);
+        let is_end = |output: &str| {
+            agreed(output, [before == middle, after != middle], [true, true], DenseSamples);
+        };
+        for name in ["end_time", "end_cycle", "end_phase", "duration"] {
+            is_end(&format!("simulate {name}"));
+        }
+        if start > 0.0 {
+            let begins = [state(start - 1e-6).1 != middle, state(start + 1e-6).1 == middle];
+            for name in ["start_time", "start_cycle", "start_phase"] {
+                agreed(&format!("simulate {name}"), begins, [true, true], DenseSamples);
+            }
+        }
         let sign = state((start + end) / 2.0).1;
         let kind = ["slide-backward", "stick", "slide-forward"][(sign + 1) as usize];
-        assert_eq!(segment["kind"], kind);
+        agreed("simulate kind", segment["kind"].as_str(), kind, DenseSamples);
         // A stick ends by a release; a slide by a stop, or by a reversal where the body goes back at once.
         let after = state(end + 1e-6).1;
         let ends_by = if sign == 0 {
@@ -122,25 +172,34 @@ fn segments_of_the_command_are_those_of_the_samples() {
         } else {
             "reversal"
         };
-        assert_eq!(segment["ends_by"], ends_by, "{segment:?}");
+        agreed("simulate ends_by", segment["ends_by"].as_str(), ends_by, DenseSamples);
         kinds.insert(kind);
     }
     assert_eq!(kinds.len(), 3);
-    for sample in rows(&stdout(&format!("simulate {options} --samples 9"))) {
+    for (number, sample) in rows(&stdout(&format!("simulate {options} --samples 9"))).iter().enumerate() {
         let of = |name: &str| sample[name].parse::<f64>().unwrap();
         let time = (TAU * of("cycle") + of("phase")) / frequency;
         assert!((time - of("time")).abs() < 1e-12);
         let (z, sign) = state(time);
         let held = force * (frequency * time).sin() - stiffness * z[0];
         let against = if sign == 0 { held } else { f64::from(sign) * friction };
-        assert!((of("displacement") - z[0]).abs() < 1e-9 && (of("x") * length - z[0]).abs() < 1e-9);
-        assert!((of("velocity") - z[1]).abs() < 1e-8 && (of("v") * velocity - z[1]).abs() < 1e-8);
-        assert!(
-            (of("friction_force") - against).abs() < 1e-8
-                && (of("friction") * friction - against).abs() < 1e-8
-        );
-        assert!((of("r") * friction - against - stiffness * z[0]).abs() < 1e-7);
-        assert!((of("acceleration") - (held - against) / mass).abs() < 1e-7);
+        for (name, unit, due, room) in [
+            ("displacement", 1.0, z[0], 1e-9),
+            ("x", length, z[0], 1e-9),
+            ("velocity", 1.0, z[1], 1e-8),
+            ("v", velocity, z[1], 1e-8),
+            ("friction_force", 1.0, against, 1e-8),
+            ("friction", friction, against, 1e-8),
+            ("r", friction, against + stiffness * z[0], 1e-7),
+            ("acceleration", 1.0, (held - against) / mass, 1e-7),
+        ] {
+            compared(&format!("simulate --samples {name}"), of(name) * unit, due, DenseSamples, room);
+        }
+        // Nine samples a cycle.
+        let place = number as f64 * TAU / 9.0 / frequency;
+        for name in ["time", "cycle", "phase"] {
+            compared(&format!("simulate --samples {name}"), time, place, ByHand, 1e-12);
+        }
     }
 }
 
@@ -155,17 +214,19 @@ fn a_decay_of_the_command_is_that_of_the_samples() {
     let machine = Machine::new([2.0, 50.0, damping], [3.0, 0.0, 1.0], 0.0);
     let found = record(machine, Load::Force, &[0.0, 0.1], &[0.0, 0.0], [0.7, 0.0], 256.0);
     let physical = &answer["physical"];
-    let near = |value: &Value, expected: f64| (value.as_f64().unwrap() - expected).abs() < 1e-9;
-    assert_eq!(answer["half_cycles"].as_u64(), Some(found.found.ends));
-    assert!(
-        near(&physical["rest_position"], found.last) && near(&answer["rest_position"], found.last / 0.06)
-    );
+    agreed("decay half_cycles", answer["half_cycles"].as_u64(), Some(found.found.ends), DenseSamples);
     let last = found.found.stops[found.found.stops.len() - 1];
-    assert!((physical["rest_time"].as_f64().unwrap() - last[0]).abs() < 1e-7);
-    assert!((answer["rest_time"].as_f64().unwrap() - last[0] * 5.0).abs() < 1e-6);
-    assert!(near(&physical["first_turn"], 0.7) && near(&answer["first_turn"], 0.7 / 0.06));
     let path = found.found.path[0] + found.found.path[1];
-    assert!(near(&physical["path"], path) && near(&answer["path"], path / 0.06));
+    for (name, due, unit, room) in [
+        ("rest_position", found.last, 0.06, 1e-9),
+        ("rest_time", last[0], 0.2, 1e-7),
+        ("first_turn", 0.7, 0.06, 1e-9),
+        ("path", path, 0.06, 1e-9),
+    ] {
+        let output = format!("decay {name}");
+        compared(&output, physical[name].as_f64().unwrap(), due, DenseSamples, room);
+        compared(&output, answer[name].as_f64().unwrap(), due / unit, DenseSamples, room / unit);
+    }
     let text = std::fs::read_to_string(&turns).unwrap();
     let rows: Vec<Vec<f64>> = csv::Reader::from_reader(text.as_bytes())
         .records()
@@ -174,10 +235,9 @@ fn a_decay_of_the_command_is_that_of_the_samples() {
     assert_eq!(rows.len(), found.found.stops.len() + 1);
     for (i, row) in rows.iter().enumerate().skip(1) {
         let [t, x] = found.found.stops[i - 1];
-        assert!(
-            row[0] == i as f64 && (row[1] - t).abs() < 1e-7 && (row[2] - x).abs() < 1e-9,
-            "{row:?} {t} {x}"
-        );
+        compared("decay turn", row[0], i as f64, DenseSamples, 0.0);
+        compared("decay time", row[1], t, DenseSamples, 1e-7);
+        compared("decay displacement", row[2], x, DenseSamples, 1e-9);
     }
 }
 
@@ -196,12 +256,14 @@ fn a_pull_of_the_command_is_that_of_the_samples() {
     let end = first + 1.9 * period;
     let found = record(machine, Load::Foot, &[0.0, end], &[0.0, 0.02 * end], [0.0, 0.0], 512.0);
     let stops = &found.found.stops;
-    assert!((stops[1][0] - stops[0][0] - period).abs() < 1e-8 * period, "{answer} {stops:?}");
-    assert!((stops[0][0] - first - of("slip_time")).abs() < 1e-8 * period, "{answer} {stops:?}");
-    assert!((of("slip_time") + of("stick_time") - period).abs() < 1e-12, "{answer}");
-    assert!((stops[0][1] * 1e3 / of("slip_distance") - 1.0).abs() < 1e-8, "{answer} {stops:?}");
+    let slip = stops[0][0] - first;
+    let turn = stops[1][0] - stops[0][0];
+    near("pull period", period, turn, DenseSamples, 1e-8);
+    compared("pull slip_time", of("slip_time"), slip, DenseSamples, 1e-8 * period);
+    compared("pull stick_time", of("stick_time"), turn - slip, DenseSamples, 2e-8 * period);
+    near("pull slip_distance", of("slip_distance"), stops[0][1] * 1e3, DenseSamples, 1e-8);
     let fastest = found.found.most(Of::Velocity).value * 1e3;
-    assert!((fastest / of("max_velocity") - 1.0).abs() < 1e-9, "{answer} {fastest}");
+    near("pull max_velocity", of("max_velocity"), fastest, DenseSamples, 1e-9);
     for (by, is_smooth) in [(0.99, false), (1.01, true)] {
         let speed = by * of("smooth_above");
         let line = format!(
@@ -213,7 +275,7 @@ fn a_pull_of_the_command_is_that_of_the_samples() {
         let found = record(machine, Load::Foot, &[0.0, end], &samples, [0.0, 0.0], 256.0);
         // Before the end it has stopped, or it still slides.
         let has_stopped = found.found.stops.first().is_some_and(|[time, _]| *time < end);
-        assert_eq!(has_stopped, !is_smooth, "{line}");
+        agreed("pull smooth_above", !is_smooth, has_stopped, DenseSamples);
     }
 }
 
@@ -230,7 +292,7 @@ fn a_map_of_stops_is_that_of_the_samples() {
         let place =
             |name: &str| header.iter().position(|other| other.split('[').next() == Some(name)).unwrap();
         let (omega, alpha, value) = (place("omega"), place("alpha"), place(what));
-        let mut compared = 0;
+        let mut rows_compared = 0;
         for row in reader.records().map(Result::unwrap) {
             let of = |i: usize| row[i].parse::<f64>();
             let at = [of(omega).unwrap(), of(alpha).unwrap(), 0.0, 1.0];
@@ -238,13 +300,13 @@ fn a_map_of_stops_is_that_of_the_samples() {
             else {
                 continue;
             };
-            compared += 1;
+            rows_compared += 1;
             if what == "stops" {
-                assert_eq!(value, cycle.found.rests as f64, "{row:?}");
+                compared("map stops", value, cycle.found.rests as f64, DenseSamples, 0.0);
             } else {
-                assert_eq!(value >= 1.0, cycle.found.rests == 0, "{row:?}");
+                agreed("map margin", value >= 1.0, cycle.found.rests == 0, DenseSamples);
             }
         }
-        assert!(compared > 20, "{what}: {compared}");
+        assert!(rows_compared > 20, "{what}: {rows_compared}");
     }
 }

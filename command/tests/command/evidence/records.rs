@@ -3,7 +3,7 @@
 use super::file;
 use super::units::si;
 use crate::command_line::{json, stdout};
-use crate::compared::Origin::DenseSamples;
+use crate::compared::Origin::{ByHand, DenseSamples};
 use crate::compared::{agreed, compared};
 use crate::random::Random;
 use crate::sampled::{Load, Machine, Of, record};
@@ -54,6 +54,11 @@ fn answers_under_a_record_are_those_of_the_samples() {
                     Some((name, (value.parse().unwrap_or(f64::NAN), unit)))
                 })
                 .collect();
+            for (name, due) in [("mass", mass), ("period", period), ("friction", friction)] {
+                let (value, unit) = of_spectrum[name];
+                compared(&format!("spectrum {name}"), value * si(unit), due, ByHand, 1e-15 * due);
+            }
+            agreed("spectrum record", file.ends_with(&row[0]), true, ByHand);
             let path = found.found.path[0] + found.found.path[1];
             let span = 1.04;
             let work = friction * path + found.found.damper_work;
@@ -99,6 +104,79 @@ fn answers_under_a_record_are_those_of_the_samples() {
                 compared(&format!("spectrum {name}"), value, expected, DenseSamples, 1e-8 * room);
             }
         }
+    }
+}
+
+/// Without friction and damper a motion after a record is cut after one more period.
+#[test]
+fn a_motion_without_an_end_is_cut_after_a_period() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = file(&folder, "pulse.csv", "time[s],force[N]\n0,0\n0.1,12\n0.3,12\n0.4,0\n");
+    let answer = json(&format!("record {file} --mass 5kg --stiffness 200N/m --friction 0N --format json"));
+    let due = 0.4 + TAU * (5.0_f64 / 200.0).sqrt();
+    compared("record cut_time", answer["cut_time"].as_f64().unwrap(), due, ByHand, 1e-14);
+    let rows = stdout(&format!("spectrum --quiet {file} --period 1s --mass 5kg --friction 0N"));
+    let mut reader = csv::Reader::from_reader(rows.as_bytes());
+    let place = reader.headers().unwrap().iter().position(|name| name.starts_with("cut_time")).unwrap();
+    let row = reader.records().next().unwrap().unwrap();
+    compared("spectrum cut_time", row[place].parse().unwrap(), 1.4, ByHand, 1e-14);
+}
+
+/// The rows of `record --out` at the samples of a record, with those at events between them; and the periods of `--floor-spectrum`.
+#[test]
+fn rows_of_a_record_are_those_of_the_samples() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut random = Random(77);
+    let times: Vec<f64> = (0..14).map(|i| f64::from(i) * 0.08).collect();
+    let samples: Vec<f64> = times.iter().map(|_| 6.0 * random.between(-1.0, 1.0)).collect();
+    let rows = times.iter().zip(&samples).map(|(t, x)| format!("{t},{x}\n"));
+    let text = format!("time[s],acceleration[m/s^2]\n{}", rows.collect::<String>());
+    let (file, out) = (file(&folder, "quake.csv", &text), folder.path().join("motion.csv"));
+    let (mass, stiffness, damping, friction) = (5.0, 200.0, 6.0, 4.0);
+    let line = format!("record {file} --mass 5kg --stiffness 200N/m --damping 6N*s/m --friction 4N");
+    stdout(&format!("{line} --out {}", out.display()));
+    let text = std::fs::read_to_string(&out).unwrap();
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    let names: Vec<String> =
+        reader.headers().unwrap().iter().map(|name| name.split('[').next().unwrap().to_owned()).collect();
+    let rows: Vec<BTreeMap<String, f64>> = reader
+        .records()
+        .map(|row| names.iter().cloned().zip(row.unwrap().iter().map(|cell| cell.parse().unwrap())).collect())
+        .collect();
+    let of = |name: &str| format!("record --out {name}");
+    let machine = Machine::new([mass, stiffness, damping], [friction, 0.0, 1.0], 0.0);
+    for (place, time) in times.iter().enumerate() {
+        let row = rows.iter().find(|row| (row["time"] - time).abs() < 1e-12);
+        compared(&of("time"), row.map_or(f64::NAN, |row| row["time"]), *time, ByHand, 1e-12);
+        let row = row.unwrap();
+        if place < 2 || place + 1 == times.len() {
+            continue;
+        }
+        let end = record(machine, Load::Surface, &times[..=place], &samples[..=place], [0.0, 0.0], 128.0).end;
+        compared(&of("displacement"), row["displacement"], end[0], DenseSamples, 1e-11);
+        compared(&of("velocity"), row["velocity"], end[1], DenseSamples, 1e-10);
+        let direction = if end[1].abs() < 1e-9 { 0.0 } else { end[1].signum() };
+        compared(&of("direction"), row["direction"], direction, DenseSamples, 0.0);
+        let load = -mass * samples[place];
+        let held = load - stiffness * end[0] - damping * end[1];
+        let against = if direction == 0.0 { held } else { direction * friction };
+        let acceleration = (held - against) / mass;
+        for (name, due) in [
+            ("load", load),
+            ("friction", -against),
+            ("acceleration", acceleration),
+            ("absolute_acceleration", acceleration + samples[place]),
+            ("transmitted_force", stiffness * end[0] + damping * end[1] + against),
+        ] {
+            compared(&of(name), row[name], due, ByHand, 1e-9);
+        }
+    }
+    let answer = json(&format!("{line} --floor-spectrum 0.1s,0.3s --format json"));
+    let rows = answer["floor_spectrum"]["rows"].as_array().unwrap();
+    let of = |name: &str| format!("record --floor-spectrum {name}");
+    agreed(&of("floor_spectrum"), rows.len(), 2, ByHand);
+    for (row, due) in rows.iter().zip([0.1, 0.3]) {
+        compared(&of("period"), row["period"].as_f64().unwrap(), due, ByHand, 0.0);
     }
 }
 

@@ -343,6 +343,55 @@ fn borders_of_systems_are_those_of_small_steps() {
     }
 }
 
+/// What is said of a machine of two bodies: its frequencies are the roots of `m M ω⁴ − (k M + K (m + M)) ω² + k K`, and with the first
+/// body held that of the second one.
+#[test]
+fn what_is_said_of_a_machine_is_computed_by_hand() {
+    let mut random = Random(94);
+    let of = |name: &str| format!("system {name}");
+    for i in 0..6 {
+        let pair = drawn(&mut random);
+        let file = place("pair.toml");
+        let text = described(&pair);
+        let text = if i < 3 { text.split("[base]").next().unwrap().to_owned() } else { text };
+        std::fs::write(&file, text).unwrap();
+        let answer = json(&format!("system {} --format json", file.display()));
+        agreed(&of("coordinates"), &answer["coordinates"], &serde_json::json!(["a", "b"]), ByHand);
+        agreed(&of("negative_damping"), answer["negative_damping"].as_bool(), Some(false), ByHand);
+        // A base that moves is a harmonic of its own.
+        let loads: Vec<f64> =
+            [pair.force[1], pair.base[1]].into_iter().take(if i < 3 { 1 } else { 2 }).collect();
+        agreed(&of("harmonics"), numbers(&answer["harmonics"]), loads, ByHand);
+        agreed(&of("records"), answer["records"].as_u64(), Some(0), ByHand);
+        // Ground that does not move has no direction of its own.
+        agreed(&of("sliding_both_ways"), &answer["sliding_both_ways"], &serde_json::json!([]), ByHand);
+        let ([m, n], [k, l]) = (pair.mass, pair.spring);
+        let (half, product) = ((k * n + l * (m + n)) / (2.0 * m * n), k * l / (m * n));
+        let root = (half * half - product).sqrt();
+        for (ours, square) in
+            numbers(&answer["natural_frequencies"]).into_iter().zip([half - root, half + root])
+        {
+            compared(&of("natural_frequencies"), ours, square.sqrt(), ByHand, 1e-13);
+        }
+        let held = (l / n).sqrt();
+        compared(
+            &of("natural_frequencies_stuck"),
+            number(&answer["natural_frequencies_stuck"][0]),
+            held,
+            ByHand,
+            1e-14,
+        );
+        let element = &answer["elements"][0];
+        agreed(
+            &of("elements"),
+            (element["name"].as_str(), element["kind"].as_str()),
+            (Some("c"), Some("contact")),
+            ByHand,
+        );
+        compared(&of("elements"), number(&element["natural_frequencies_stuck"][0]), held, ByHand, 1e-14);
+    }
+}
+
 /// `rigid_modes`: as many as parts that hang on no ground, counted by hand.
 #[test]
 fn rigid_modes_are_the_parts_without_ground() {

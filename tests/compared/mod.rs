@@ -1,5 +1,5 @@
-//! Comparisons of an answer with a number of another origin. Each that ran leaves a row below the folder of the target, which
-//! `.ci/evidence` holds against docs/development/evidence.md.
+//! Comparisons of an answer with a number of another origin. Each that ran leaves a row below the folder of the target, from which
+//! `.ci/evidence` makes the tables of docs/development/evidence.md.
 
 #![allow(dead_code, reason = "each test takes what it needs")]
 
@@ -16,7 +16,9 @@ pub(crate) enum Origin {
     SmallSteps,
     /// The body of dense samples, `tests/evidence/sampled.rs`.
     DenseSamples,
-    /// Arithmetic that the test shows.
+    /// Numbers that a program of its own left in tests/data.
+    AnotherProgram,
+    /// Arithmetic that the test shows, from definitions and laws.
     ByHand,
 }
 
@@ -25,6 +27,7 @@ impl Origin {
         match self {
             Self::SmallSteps => "small steps",
             Self::DenseSamples => "dense samples",
+            Self::AnotherProgram => "another program",
             Self::ByHand => "by hand",
         }
     }
@@ -32,30 +35,40 @@ impl Origin {
 
 /// Fails where a number is further than the bound from one of another origin. An output is named by its row of the page and
 /// its own name, such as `system steady load_work`.
+#[track_caller]
 pub(crate) fn compared(output: &str, ours: f64, other: f64, origin: Origin, bound: f64) {
     assert!((ours - other).abs() <= bound, "{output}: {ours} for {other} of {origin:?}, beyond {bound:e}");
-    row(output, &ours, &other, origin, bound);
+    recorded(output, &ours, &other, origin, bound);
+}
+
+/// Fails where a number is off by more than a part of one of another origin.
+#[track_caller]
+pub(crate) fn near(output: &str, ours: f64, other: f64, origin: Origin, part: f64) {
+    compared(output, ours, other, origin, part * other.abs());
 }
 
 /// Fails where a count or a word is not that of another origin.
+#[track_caller]
 pub(crate) fn agreed<T: PartialEq<U> + Debug, U: Debug>(output: &str, ours: T, other: U, origin: Origin) {
     assert!(ours == other, "{output}: {ours:?} for {other:?} of {origin:?}");
-    row(output, &ours, &other, origin, 0.0);
+    recorded(output, &ours, &other, origin, 0.0);
 }
 
-/// Leaves a row in the file of this thread.
-fn row(output: &str, ours: &dyn Debug, other: &dyn Debug, origin: Origin, bound: f64) {
+/// Leaves the row of a comparison that has held, in the file of this thread. A thread of a test has its name.
+pub(crate) fn recorded(output: &str, ours: &dyn Debug, other: &dyn Debug, origin: Origin, bound: f64) {
     thread_local! {
         static ROWS: OnceCell<File> = const { OnceCell::new() };
     }
+    let (program, thread) = (env!("CARGO_CRATE_NAME"), std::thread::current());
     ROWS.with(|rows| {
         let mut file = rows.get_or_init(|| {
             let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("evidence");
             std::fs::create_dir_all(&folder).unwrap();
-            let (program, thread) = (env!("CARGO_CRATE_NAME"), std::thread::current().id());
-            let name = format!("{program}-{}-{thread:?}.tsv", std::process::id());
+            let name = format!("{program}-{}-{:?}.tsv", std::process::id(), thread.id());
             File::options().create(true).append(true).open(folder.join(name)).unwrap()
         });
-        writeln!(file, "{output}\t{ours:?}\t{other:?}\t{}\t{bound:e}", origin.name()).unwrap();
+        let test = format!("{program}::{}", thread.name().unwrap_or_default());
+        let row = format!("{output}\t{ours:?}\t{other:?}\t{}\t{bound:e}\t{test}\n", origin.name());
+        file.write_all(row.as_bytes()).unwrap();
     });
 }
