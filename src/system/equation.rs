@@ -133,7 +133,10 @@ pub(crate) fn fastest<F: Float>(system: &Assembly<F>, a: &Sparse<F>) -> F {
 pub(crate) fn given_tension<F: Float>(part: &Part<F>, mode: Mode) -> Option<Vec<F>> {
     match (mode, &part.rule) {
         (Mode::Slides { forward, piece }, _) => Some(sliding(part, forward, piece)),
-        (Mode::Holds, Rule::Elastic { place, .. }) => Some(unit(part.velocity.len(), *place)),
+        (Mode::Holds, Rule::Elastic { place, .. })
+        | (Mode::Yields { .. }, Rule::Elastic { place, normal: None, .. }) => {
+            Some(unit(part.velocity.len(), *place))
+        }
         (Mode::Yields { forward }, Rule::Elastic { bound, .. }) => {
             Some(bound.iter().map(|&x| sign::<F>(forward) * x).collect())
         }

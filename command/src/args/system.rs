@@ -49,8 +49,9 @@ FILE describes bodies by name, in TOML or JSON:
 
 A contact has friction, or coefficient and normal_load, or law = [[speed, force], …] or a CSV file. It may have static_ratio
 (or peak), stiffness, which makes it elastic, and moves, the velocity of its other side, such as a belt. [[stops]] have
-between, gap, stiffness and damping. [base] has acceleration, a file or { amplitude, frequency }. A file may have matrices instead: mass,
-damping, stiffness, elements, harmonics.
+between, gap, stiffness and damping. [base] has acceleration, a file or { amplitude, frequency }. A load may have shape
+(square, triangle, sawtooth, pulse), sweep, or record with repeats = true. A body may have moves, its prescribed motion. [[levels]]
+are values whose passage is an event. A file may have matrices instead: mass, damping, stiffness, elements, harmonics.
 
 Examples:
   stickslip system machine.toml
