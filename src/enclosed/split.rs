@@ -36,8 +36,10 @@ pub(crate) fn halves(part: &[Ends], side: usize) -> [Vec<Ends>; 2] {
     [cut(false), cut(true)]
 }
 
-/// The greatest number of cuts of a box with one interval; with more it is twice that.
-const MOST: usize = 64;
+/// The work on a box with one interval, in evaluations of the border; with more it is twice that.
+const MOST: u32 = 256;
+/// The work of a cut of a part that has a regime: the peaks of the cycle take searches.
+const WITH_PEAKS: u32 = 4;
 
 /// The weight of a parameter without an effect on any output: where the whole box has no answer, its share is unknown.
 const LEAST_WEIGHT: f64 = 1.0 / 64.0;
@@ -96,14 +98,16 @@ pub(super) fn over_parts(
     let first = Part::new(whole, &answers, None);
     let weights = weights(&first, &over)?;
     let mut parts = vec![first];
-    for turn in 0..MOST.saturating_mul(intervals.min(2)) {
+    let mut left = MOST.saturating_mul(if intervals > 1 { 2 } else { 1 });
+    for turn in 0.. {
         let loose: Vec<_> =
             common(&parts).filter_map(|output| Some((output, loosest(&parts, output, bits)?))).collect();
-        let Some(index) = next(&parts, turn, &loose) else { break };
+        let Some(index) = next(&parts, turn, &loose).filter(|_| left > 0) else { break };
         let Some(side) = parts.get(index).and_then(|part| heaviest(&part.sides, &weights)) else { break };
         let is_loose = |output: &Output| loose.iter().any(|(name, _)| name == output);
         let done: Vec<_> = common(&parts).filter(|output| !is_loose(output)).collect();
         let part = parts.swap_remove(index);
+        left = left.saturating_sub(if part.regime.is_some() { WITH_PEAKS } else { 1 });
         for half in halves(&part.sides, side) {
             let found = over(&half, &done)?;
             parts.push(Part::new(half, &found, Some(&part)));
