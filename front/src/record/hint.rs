@@ -28,6 +28,9 @@ const LIKELY: [(&str, &str); 8] = [
     ("timeseries", "SLIST"),
 ];
 
+/// The most bytes of first lines on which options are tried.
+const MOST: usize = 1 << 18;
+
 /// What a file without text is, if it is known.
 pub(super) fn binary(bytes: &[u8]) -> Option<&'static str> {
     BINARY.iter().find(|(magic, _)| bytes.starts_with(magic)).map(|(_, what)| *what)
@@ -35,14 +38,18 @@ pub(super) fn binary(bytes: &[u8]) -> Option<&'static str> {
 
 /// The error of a table, with the options that would read it or with what was seen of it.
 pub(super) fn led(error: String, head: &Head, options: &Options<'_>) -> String {
-    let text: String = head.lines.iter().map(|(_, line)| format!("{line}\n")).collect();
+    let mut text = String::new();
+    for (_, line) in &head.lines {
+        text.push_str(line);
+        text.push('\n');
+    }
     let reads = |options: &Options<'_>| {
         let mut samples = Samples::<f64>::new(options.reader);
         let found = read_as_table(&mut text.as_bytes(), options, &mut samples);
         found.and_then(|found| samples.finish(found, options)).is_ok()
     };
     let error_of_a_value = error.ends_with("must be a number") || error.contains("time step = ");
-    if head.lines.is_empty() || error_of_a_value || options.skip > 0 || reads(options) {
+    if head.lines.is_empty() || text.len() > MOST || error_of_a_value || options.skip > 0 || reads(options) {
         return error;
     }
     let most = head.lines.iter().map(|(_, line)| width(line)).max().unwrap_or(0).min(12);

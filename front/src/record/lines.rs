@@ -7,6 +7,9 @@ use std::io::{BufRead, Read};
 /// The greatest length of a line in bytes: some files have all samples in one line.
 const LONGEST: u64 = 1 << 24;
 
+/// The most bytes that are looked at before they are read, but for a longer line.
+const MOST_AHEAD: usize = 1 << 18;
+
 /// A line: its number from 1, and its text without its end.
 pub(super) type Line = (u64, String);
 
@@ -59,9 +62,11 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// The next lines, up to a number, which stay the next ones.
+    /// The next lines, up to a number and a size, which stay the next ones.
     pub(super) fn head(&mut self, count: usize) -> Result<Vec<Line>, String> {
+        let size = |ahead: &VecDeque<Line>| ahead.iter().map(|(_, line)| line.len()).sum::<usize>();
         while self.ahead.len() < count
+            && size(&self.ahead) < MOST_AHEAD
             && let Some(line) = self.read()?
         {
             self.ahead.push_back(line);

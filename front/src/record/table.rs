@@ -17,6 +17,9 @@ use stickslip::inputs::units::{Kind, Reader};
 /// The most lines without numbers before the columns.
 const MOST_TITLES: usize = 200;
 
+/// The most bytes of such a line.
+const LONGEST_TITLE: usize = 1 << 16;
+
 /// What another layout knows of its columns.
 pub(super) struct Known {
     pub(super) kind: &'static str,
@@ -98,6 +101,9 @@ fn above(sheet: &mut Sheet<'_>) -> Result<(Above, Option<Line>), String> {
         }
         if above.titles.len() >= MOST_TITLES {
             return Err(sheet.at(line.0, "no row of numbers in 200 lines"));
+        }
+        if line.1.len() > LONGEST_TITLE {
+            return Err(sheet.at(line.0, "must be a row of numbers, or a line of text shorter than 64 KiB"));
         }
         above.take(line, sheet.asked.reader);
     }

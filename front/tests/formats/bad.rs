@@ -79,6 +79,9 @@ fn bad_files_are_refused_by_line_and_value() {
     }
     let long = vec![b'1'; (1 << 24) + 2];
     assert_eq!(error(&long), "file line 1: must be shorter than 16 MiB");
+    let words = "x y ".repeat(1 << 15);
+    let said = "file line 1: must be a row of numbers, or a line of text shorter than 64 KiB";
+    assert_eq!(error(words.as_bytes()), said);
 }
 
 /// What leads on is tried on the first lines of the file.
