@@ -88,3 +88,40 @@ fn the_time_at_rest_is_that_of_the_record() {
         assert_eq!((found.stick_time, found.slides), (record.end(), 0));
     }
 }
+
+/// Motions of a body with friction and a damper alone over steps of up to 10⁴ time constants, enclosed: signs do not fade with
+/// e^{−cu/m}. Where the body is at rest at both ends its way is `(∫ f du ∓ r u)/c`, and it stops where `f = r − ms/c`, s being the slope
+/// of the load, but for e^{−1000}.
+#[cfg(feature = "mp")]
+#[test]
+fn steps_of_thousands_of_time_constants_are_enclosed() {
+    use stickslip::enclosed;
+    use stickslip::float::Mp;
+    let of = |x: f64| Mp::<4>::from(x);
+    for (length, mass, damping, friction) in
+        [(2e3, 1.0, 1.0, 0.25), (3e3, 2.0, 1.5, 0.5), (1e4, 1.0, 1.0, 0.25)]
+    {
+        // Constant, falling to −1, and constant; then the force is zero.
+        let samples = [2.0, 2.0, -1.0, -1.0].map(of).to_vec();
+        let record = Record::new(Excitation::Force, of(length), samples).unwrap();
+        let body = Body::new(of(mass), of(friction)).and_then(|body| body.with_damping(of(damping))).unwrap();
+        let found = enclosed::follow(&body, &record, of(0.0), of(0.0), 64);
+        let found = found.unwrap_or_else(|e| panic!("{length}: {e}"));
+        let (slope, push, pull) = (3.0 / length, 2.0 - friction, 1.0 - friction);
+        let stop = push / slope + mass / damping;
+        let most = (push * length + push * stop - slope * stop * stop / 2.0) / damping;
+        let back = length - (2.0 + friction) / slope;
+        let braked = mass / damping * (1.0 / friction).ln();
+        let way = slope * back * back / 2.0 + pull * length - friction * braked;
+        let close = |name: &str, found: &enclosed::Enclosure, due: f64| {
+            let off = (found.mid.to_f64() - due).abs();
+            assert!(
+                off <= 1e-13 * most && found.rad.to_f64() <= 1e-15 * most,
+                "{length} {name}: {found}, {due}"
+            );
+        };
+        close("most", &found.max_displacement, most);
+        close("end", &found.residual_displacement.unwrap(), most - way / damping);
+        assert_eq!(found.slides, 2, "{length}");
+    }
+}

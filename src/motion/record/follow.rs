@@ -210,8 +210,7 @@ impl<F: Number> Follower<F> {
 
     /// Whether the acceleration is that with which the body came to a load.
     fn has_kept(&self, load: F) -> bool {
-        let change = self.kept.map(|kept| load - kept);
-        change.is_some_and(|change| (change.positive(), change.negative()) == (Some(false), Some(false)))
+        self.kept.is_some_and(|kept| kept.is_same(load))
     }
 
     /// Sets the acceleration of a slide that comes to a load.
@@ -419,11 +418,14 @@ impl<F: Number> Follower<F> {
         watch: &mut impl Watch<F>,
     ) -> Option<()> {
         let (zero, before) = (F::int(0), self.v);
-        let change = factors.damper * (second - first);
+        let step = second - first;
+        if (step.positive(), step.negative()) != (Some(false), Some(false)) {
+            self.kept = None;
+        }
+        let change = factors.damper * step;
         if !change.positive()? && !change.negative()? {
             return Some(());
         }
-        self.kept = None;
         let after = before + change;
         let sign = match (after.positive()?, after.negative()?) {
             (true, _) => F::int(1),
@@ -494,6 +496,15 @@ impl<F: Number> Follower<F> {
         let slide = self.slide(piece.slope, sign);
         let linear = &self.linear;
         let mut end = slide.moment(&linear.law, &responses);
+        if self.is_fading(piece) {
+            // Each keeps its digits however far it falls.
+            let fade = (-(self.constants.rate * length)).exponential();
+            let push = piece.from + self.constants.mean - sign * self.constants.friction;
+            end.a = slide.a * fade;
+            if (push.positive(), push.negative()) == (Some(false), Some(false)) {
+                end.v = slide.v * fade;
+            }
+        }
         let stop = if how.can_stop {
             slide.stop(linear, self.omega, length, &end).ok_or(Failure::Uncertain)?
         } else {

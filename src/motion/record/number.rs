@@ -16,6 +16,8 @@ pub(super) trait Number: Signed {
     /// Whether this number is within the rounding of a sum of numbers of this size, each known to 64 units in its last
     /// place. The sign of a ball is certain, so that none is.
     fn is_lost(self, size: Self) -> bool;
+    /// Whether two loads without a jump between them are the same.
+    fn is_same(self, other: Self) -> bool;
     /// The zero in `[low, high]` of a function that is positive at `low`, negative at `high` and has no other
     /// zero between them; `f` gives the value and three derivatives, `ends` the values at both ends, and `longest` is
     /// that of [`halley_within`].
@@ -68,6 +70,11 @@ impl<F: Float> Number for F {
 
     fn is_lost(self, size: Self) -> bool {
         self <= size * F::epsilon() * F::int(64)
+    }
+
+    #[inline(always)]
+    fn is_same(self, other: Self) -> bool {
+        self == other
     }
 
     #[inline(always)]

@@ -188,6 +188,23 @@ impl<F: Number> Slide<F> {
         [(jerk, self.a), (bend, jerk)].map(|(second, first)| (second.abs() + omega * first.abs()) * eighth)
     }
 
+    /// The velocity and its four derivatives at the start and after a time.
+    ///
+    /// Without a spring the jerk is `a₀′e^{−2βt}`, whose sign is that of its start however far it has fallen; the sum of the forces
+    /// has their rounding.
+    #[inline(always)]
+    pub(super) fn derivatives_at_ends(&self, law: &Law<F>, time: F, end: &Moment<F>) -> [[F; 5]; 2] {
+        let start = self.derivatives(law, self.v, self.a);
+        let [v, a, jerk, bend, third] = self.derivatives(law, end.v, end.a);
+        let is_without_spring = law.square.positive() == Some(false);
+        if !is_without_spring || law.rate.positive() != Some(true) {
+            return [start, [v, a, jerk, bend, third]];
+        }
+        let fade = (-(law.rate * time)).exponential();
+        let [_, _, jerk, bend, third] = start.map(|derivative| derivative * fade);
+        [start, [v, a, jerk, bend, third]]
+    }
+
     /// The velocity v and its derivatives a, a′, a″ and a‴ at a moment: each derivative of a free vibration is −2β
     /// times itself less ω² times the one before.
     #[inline(always)]

@@ -288,10 +288,7 @@ impl<F: Number> Totals<F> {
             let g = slide.derivatives(&linear.law, moment.v, moment.a);
             Some((g, next(g)))
         };
-        let ends = [(slide.v, slide.a), (end.v, end.a)].map(|(v, a)| {
-            let g = slide.derivatives(&linear.law, v, a);
-            (g, next(g))
-        });
+        let ends = slide.derivatives_at_ends(&linear.law, length, end).map(|g| (g, next(g)));
         let (times, longest) = ([time, length], linear.longest_step(length));
         // Where it touches zero, the velocity is none of the other direction, but for rounding.
         let of_velocity = |([v, a, jerk, bend, third], _): ([F; 5], F)| {
