@@ -1,7 +1,6 @@
 //! The steady motion of a body without a spring that a constant force, or friction by direction, moves on for ever.
 
 use crate::args::SteadyArgs;
-use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
 use crate::system::steady_motion;
 use crate::{input, interrupt, output};
@@ -12,23 +11,24 @@ use stickslip::inputs::units::Reader;
 use stickslip::inputs::{Given, Input};
 use stickslip_front::system::{Answer, NamedSystem};
 
-/// Whether the inputs are those of a body that drifts.
-pub(crate) fn is_asked<F: Value>(given: &Given<F>) -> bool {
-    given.is_without_spring() && given.drifts().is_some()
+/// Whether the inputs are those of one body that drifts.
+pub(crate) fn is_asked(args: &SteadyArgs) -> Result<bool, Failure> {
+    if args.enclose || args.machine.text(Input::Stiffness).is_none() {
+        return Ok(false);
+    }
+    let given = input::read::<f64>(&args.machine, &args.output.units.reader())?;
+    Ok(given.is_without_spring() && given.drifts().is_some())
 }
 
 /// The answer: that of a system of this one body.
-pub(crate) fn answer<F: Value>(
-    args: &SteadyArgs,
-    given: &Given<F>,
-    reader: &Reader,
-    out: &mut impl Write,
-) -> Outcome {
-    if F::PRECISION > f64::MANTISSA_DIGITS || args.output.points.is_some() {
+pub(crate) fn run(args: &SteadyArgs, out: &mut impl Write) -> Outcome {
+    let reader = args.output.units.reader();
+    let given = &input::read::<f64>(&args.machine, &reader)?;
+    if args.output.bits.is_some_and(|bits| bits > f64::MANTISSA_DIGITS) || args.output.points.is_some() {
         let text = given.drifts().map(|input| given.label(input)).unwrap_or_default();
         return Err(format!("{text}: a drift is answered at 53 bits and for one machine").into());
     }
-    let described = system(&input::with_any_mass(given), args, reader)?;
+    let described = system(&input::with_any_mass(given), args, &reader)?;
     let asked = NamedSystem::new(&described, [], Path::new(""), None).map_err(Failure::Input)?;
     let engine = asked.system.clone().while_allowed(interrupt::keep_going);
     let found = engine.steady(&asked.described.start).map_err(Failure::from)?;
@@ -39,41 +39,36 @@ pub(crate) fn answer<F: Value>(
 }
 
 /// The system of one body in the form of a file, with bare numbers in the system of units of the inputs.
-fn system<F: Value>(
-    given: &Given<F>,
-    args: &SteadyArgs,
-    reader: &Reader,
-) -> Result<serde_json::Value, Failure> {
-    let or_zero = |input: Input| given.get(input).unwrap_or(F::int(0)).to_f64();
-    let friction = given.friction()?.unwrap_or(F::int(0));
+fn system(given: &Given<f64>, args: &SteadyArgs, reader: &Reader) -> Result<serde_json::Value, Failure> {
+    let or_zero = |input: Input| given.get(input).unwrap_or(0.0);
+    let friction = given.friction()?.unwrap_or(0.0);
     let backward = given.get(Input::FrictionBackward).unwrap_or(friction);
-    let half = F::ratio(1, 2);
     let mut symmetric = given.clone();
     symmetric.take(Input::MeanForce);
-    symmetric.replace_friction((friction + backward) * half);
+    symmetric.replace_friction(0.5 * friction + 0.5 * backward);
     let machine = symmetric.driven()?;
     let (body, drive) = (&machine.oscillator, &machine.drive);
-    let constant = or_zero(Input::MeanForce) - ((friction - backward) * half).to_f64();
+    let constant = or_zero(Input::MeanForce) - 0.5 * (friction - backward);
     let [x0, v0] = [Input::X0, Input::V0].map(|input| args.start.text(input));
     let [x0, v0] = input::start_in_units::<f64>(reader, [x0, v0])?;
     let load = json!({
         "on": "body",
-        "amplitude": drive.force_amplitude(body).to_f64(),
-        "frequency": drive.angular_frequency().to_f64(),
+        "amplitude": drive.force_amplitude(body),
+        "frequency": drive.angular_frequency(),
     });
     let mut springs = Vec::new();
-    if body.damping() > F::int(0) {
-        springs.push(json!({ "between": ["ground", "body"], "damping": body.damping().to_f64() }));
+    if body.damping() > 0.0 {
+        springs.push(json!({ "between": ["ground", "body"], "damping": body.damping() }));
     }
     Ok(json!({
         "units": given.system.to_string(),
-        "masses": { "body": { "mass": body.mass().to_f64(), "start": x0, "velocity": v0 } },
+        "masses": { "body": { "mass": body.mass(), "start": x0, "velocity": v0 } },
         "springs": springs,
         "contacts": [{
             "name": "surface",
             "between": ["ground", "body"],
-            "friction": body.friction_bound().to_f64(),
-            "static_ratio": body.static_friction_ratio().to_f64(),
+            "friction": body.friction_bound(),
+            "static_ratio": body.static_friction_ratio(),
         }],
         "forces": [load, { "on": "body", "constant": constant }],
     }))

@@ -125,6 +125,7 @@ fn run_command(command: &Command) -> Outcome {
     match command {
         Command::Response(args) => closed::response(args, &mut out)?,
         Command::Border(args) => closed::border(args, &mut out)?,
+        Command::Steady(args) if drifting::is_asked(args)? => drifting::run(args, &mut out)?,
         Command::Steady(args) => steady::run(args, &mut out)?,
         Command::Attractors(args) => attractors::run(args, &mut out)?,
         Command::Basins(args) => basins::run(args, &mut out)?,
@@ -134,6 +135,7 @@ fn run_command(command: &Command) -> Outcome {
         Command::Identify(args) => identify::run(args, &mut out)?,
         Command::Decay(args) => decay::run(args, &mut out)?,
         Command::Pull(args) => pull::run(args, &mut out)?,
+        Command::Record(args) if args.describe => described::run(args, &mut out)?,
         Command::Record(args) => under_record::run(args, &mut out)?,
         Command::Spectrum(args) => spectrum::run(args, &mut out)?,
         Command::Verify(args) => verify::run(args, &mut out)?,

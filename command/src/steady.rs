@@ -7,7 +7,7 @@ use crate::note::{Note, decay, equivalent, measured_from};
 use crate::physical::Physical;
 use crate::points::AskedPoints;
 use crate::row::{Cells, Row};
-use crate::{drifting, enclose, input, interrupt, style};
+use crate::{enclose, input, interrupt, style};
 use std::io::{self, Write};
 use stickslip::inputs::units::Reader;
 use stickslip::inputs::{Given, Point};
@@ -24,11 +24,6 @@ pub(crate) fn run(args: &SteadyArgs, out: &mut impl Write) -> Outcome {
 fn respond<F: Value>(args: &SteadyArgs, out: &mut impl Write) -> Outcome {
     input::periods(args.max_periods)?;
     let asked = AskedPoints { question: Swept::Steady, output: &args.output, start: Some(&args.start) };
-    let reader = args.output.units.reader();
-    let given = input::read::<F>(&args.machine, &reader)?;
-    if drifting::is_asked(&given) {
-        return drifting::answer(args, &given, &reader, out);
-    }
     let answer = |given: &Given<F>, point: &Point<F>, reader: &Reader| {
         let start = input::start(&args.start, given, point.machine.as_ref(), reader)?;
         answer(given, point, start, args.max_periods, true)

@@ -22,9 +22,6 @@ use stickslip::motion::record::{Entry, Record, RecordAnswer, RecordMotion, Recor
 use stickslip_figures::{Axis, Figure, Panel, Series, Style};
 
 pub(crate) fn run(args: &RecordArgs, out: &mut impl Write) -> Outcome {
-    if args.describe {
-        return crate::described::run(args, out);
-    }
     if args.enclose {
         return enclose::record(args, out);
     }

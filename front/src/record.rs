@@ -29,12 +29,12 @@ pub use describe::{Channel, describe, gaps, peak_frequency};
 use lines::{Line, Lines};
 pub use options::{Options, Words};
 use samples::Samples;
-use sheet::{Found, Ratio, Sheet};
+use sheet::{Found, Sheet};
 use std::io::{BufRead, Read};
 use std::str::FromStr;
 use stickslip::motion::record::{After, Record, RecordAnswer};
 use stickslip::{Excitation, Float};
-use unit::Unit;
+use unit::{Ratio, Unit};
 
 /// A record, and the description of its file.
 #[derive(Debug, Clone)]

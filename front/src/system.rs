@@ -4,6 +4,7 @@
 //! A mistake is one line of text with the place in the file, the value and the inequality it breaks.
 
 mod answer;
+mod builder;
 mod built;
 mod described;
 mod description;

@@ -3,7 +3,7 @@
 use super::is_one_line;
 use crate::args::{self, Command, NoCommand, OutputArgs, Question};
 use crate::failure::{Failure, Outcome};
-use crate::{closed, decay, design, grid, under_record};
+use crate::{closed, decay, described, design, grid, under_record};
 use std::path::PathBuf;
 use std::sync::LazyLock;
 use stickslip::inputs::Input;
@@ -36,7 +36,7 @@ fn run(command: &mut Command, content: &[u8], out: &mut Vec<u8>) -> Option<Outco
             (args.out, args.picture, args.interval) = (None, None, None);
             // Ranges of oscillators take long.
             args.floor_spectrum = args.floor_spectrum.take().filter(|text| !text.contains(':'));
-            under_record::run(args, out)
+            if args.describe { described::run(args, out) } else { under_record::run(args, out) }
         }
         Command::Decay(args) => {
             args.out = None;

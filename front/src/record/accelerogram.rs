@@ -6,7 +6,8 @@
 //! - or, of BHRC, samples at the rate that begins the second line of real numbers.
 
 use super::lines::Line;
-use super::sheet::{Found, Ratio, Sheet, Stated, Times};
+use super::sheet::{Found, Sheet, Stated, Times};
+use super::unit::Ratio;
 use super::{Head, Unit, text};
 use stickslip::Excitation;
 use stickslip::inputs::units::{Kind, split};

@@ -1,6 +1,7 @@
 //! COSMOS V1 and V2: channels one after the other, each with lines of text, integers, real numbers and comments.
 
-use super::sheet::{Found, Ratio, Sheet, Stated, Times};
+use super::sheet::{Found, Sheet, Stated, Times};
+use super::unit::Ratio;
 use super::{Head, text};
 use stickslip::Excitation;
 use stickslip::inputs::units::Kind;

@@ -1,7 +1,8 @@
 //! Layouts whose header is lines of keys and values: K-NET and KiK-net, ESM and DYNA, CWB.
 
-use super::sheet::{Found, Ratio, Sheet, Stated, Times};
+use super::sheet::{Found, Sheet, Stated, Times};
 use super::table::{self, Known};
+use super::unit::Ratio;
 use super::{Options, text};
 use stickslip::inputs::units::{Kind, split};
 

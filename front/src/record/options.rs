@@ -1,7 +1,7 @@
 //! What is asked of a file: its options, with the names that a front has for them, and the unit of its samples.
 
-use super::sheet::Ratio;
 use super::text;
+use super::unit::Ratio;
 use super::unit::{Unit, volts};
 use std::str::FromStr;
 use stickslip::Float;

@@ -1,8 +1,9 @@
 //! Records of the PEER database, in every form of its header since 1999.
 
 use super::lines::Line;
-use super::sheet::{Found, Ratio, Sheet, Times};
+use super::sheet::{Found, Sheet, Times};
 use super::text;
+use super::unit::Ratio;
 use stickslip::inputs::units::{Kind, split};
 
 /// The lines among which the one with the number of samples is.

@@ -1,6 +1,7 @@
 //! The samples of a file in the number type of the answer, and the record that they make.
 
-use super::sheet::{Found, Ratio, Sink, Stated, Times};
+use super::sheet::{Found, Sink, Stated, Times};
+use super::unit::Ratio;
 use super::{Options, Reading, Summary, Unit, process, text};
 use std::str::FromStr;
 use stickslip::inputs::units::{Factor, Kind, Reader};

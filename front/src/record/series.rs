@@ -2,8 +2,9 @@
 //! `TIMESERIES XX_TEST__HNZ_R, 12 samples, 40 sps, 2008-01-15T00:00:00.000000, SLIST, FLOAT, M/S**2`, then the samples, or
 //! rows of a time and a sample.
 
-use super::sheet::{Found, Ratio, Sheet, Times};
+use super::sheet::{Found, Sheet, Times};
 use super::table::clock;
+use super::unit::Ratio;
 use super::{Head, text};
 use stickslip::Excitation;
 

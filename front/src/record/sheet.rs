@@ -2,31 +2,10 @@
 //! the number type: samples, times and steps stay text until they are stored.
 
 use super::lines::Lines;
+use super::unit::Ratio;
 use super::{Options, Unit, text};
 use stickslip::Excitation;
 use stickslip::inputs::units::{Factor, Kind};
-
-/// A quotient of two numbers as they are written in a file: 1/200 of “200 samples a second”, 1/10 of “g/10”.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Ratio {
-    pub(super) above: String,
-    pub(super) below: String,
-}
-
-impl Ratio {
-    pub(super) fn new(above: &str, below: &str) -> Self {
-        Self { above: above.to_owned(), below: below.to_owned() }
-    }
-
-    pub(super) fn one() -> Self {
-        Self::new("1", "1")
-    }
-
-    pub(super) fn to_f64(&self) -> f64 {
-        let number = |text: &str| text::number::<f64>(text).unwrap_or(f64::NAN);
-        number(&self.above) / number(&self.below)
-    }
-}
 
 /// Where the samples and the times of a file go, in the number type of the answer.
 pub(super) trait Sink {

@@ -7,7 +7,8 @@ mod columns;
 mod header;
 
 use super::lines::Line;
-use super::sheet::{Found, Ratio, Sheet, Times};
+use super::sheet::{Found, Sheet, Times};
+use super::unit::Ratio;
 use super::{Unit, text};
 use cells::{Delimiter, Row, comment, decimal, is_number, width};
 use columns::{Columns, named, unnamed};

@@ -1,10 +1,31 @@
 //! The unit of samples.
 
-use super::sheet::Ratio;
 use super::text;
 use std::str::FromStr;
 use stickslip::inputs::units::{Factor, Kind, Reader};
 use stickslip::{Excitation, Float};
+
+/// A quotient of two numbers as they are written in a file: 1/200 of “200 samples a second”, 1/10 of “g/10”.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Ratio {
+    pub(super) above: String,
+    pub(super) below: String,
+}
+
+impl Ratio {
+    pub(super) fn new(above: &str, below: &str) -> Self {
+        Self { above: above.to_owned(), below: below.to_owned() }
+    }
+
+    pub(super) fn one() -> Self {
+        Self::new("1", "1")
+    }
+
+    pub(super) fn to_f64(&self) -> f64 {
+        let number = |text: &str| text::number::<f64>(text).unwrap_or(f64::NAN);
+        number(&self.above) / number(&self.below)
+    }
+}
 
 /// The power of ten of a volt.
 pub(super) fn volts(unit: &str) -> Option<i32> {

@@ -1,5 +1,6 @@
 //! Bodies by name, and springs, contacts, stops and loads between them and the ground.
 
+use super::builder::Builder;
 use super::described::{Described, MOST_COORDINATES, MOST_ELEMENTS, base_of, law, peak};
 use super::node::{Fields, Node, check_name, nearest};
 use super::signals::{NEEDS, add as plus};
@@ -10,14 +11,6 @@ use stickslip::system::{Base, Element, Kind, Law, Level, Model, Moved, MovedBy, 
 
 /// The name of the ground.
 const GROUND: &str = "ground";
-
-/// The bodies, and the system as far as it is read.
-pub(super) struct Builder<'p> {
-    pub(super) names: Vec<String>,
-    pub(super) model: Model<f64>,
-    pub(super) folder: &'p Path,
-    base: Option<Base<f64>>,
-}
 
 /// The system of a file of named bodies.
 pub(super) fn described(root: &Node<'_>, folder: &Path, units: Units) -> Result<Described, String> {

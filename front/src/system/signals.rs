@@ -1,7 +1,7 @@
 //! Quantities over time: constants, waves, shapes by name, sweeps and records, alone or in a sum.
 
+use super::builder::Builder;
 use super::described::{MOST_FREQUENCIES, MOST_RECORDS, MOST_SAMPLES};
-use super::named::Builder;
 use super::node::{Fields, Node, nearest};
 use crate::record::{self, Options, Words};
 use crate::text::{of_bytes, open_regular};

@@ -1,0 +1,12 @@
+//! What is known of a file of named bodies while it is read.
+
+use std::path::Path;
+use stickslip::system::{Base, Model};
+
+/// The bodies, and the system as far as it is read.
+pub(super) struct Builder<'p> {
+    pub(super) names: Vec<String>,
+    pub(super) model: Model<f64>,
+    pub(super) folder: &'p Path,
+    pub(super) base: Option<Base<f64>>,
+}
