@@ -6,7 +6,7 @@ use stickslip::Excitation;
 use stickslip::inputs::units::{Kind, Reader, System};
 use stickslip::inputs::{Given, Input, Role};
 use stickslip::motion::record::{Body, Entry, Record, RecordAnswer, RecordState};
-use stickslip_front::record::{Options, Reading, Words, follows, read};
+use stickslip_front::record::{Channel, Options, Reading, Words, follows, read};
 
 /// The parts of the time of a picture.
 const PARTS: f64 = 1200.0;
@@ -115,7 +115,11 @@ fn named(asked: &Asked<'_>, error: &stickslip::Error) -> String {
 /// The motion of the machine's body under the record, and the answers of `stickslip record`.
 pub(crate) fn record(asked: &Asked<'_>) -> Result<Value, String> {
     let reader = asked.reader()?;
-    let Reading { record, summary, unused } = load(asked, &reader)?;
+    let reading = load(asked, &reader)?;
+    let unused = reading.unused.clone();
+    let channel = Channel::from(reading);
+    let read = channel.sentences(stickslip::words::digits);
+    let Channel { record, summary, .. } = channel;
     let given = body_inputs(asked, &reader)?;
     let body = Body::given(&given, None)?;
     let named = |e| named(asked, &e);
@@ -152,7 +156,7 @@ pub(crate) fn record(asked: &Asked<'_>) -> Result<Value, String> {
         "units": { "displacement": system.name(Kind::Length), "velocity": system.name(Kind::Velocity),
             "force": system.name(Kind::Force) },
         "unused": unused, "channel": summary.channel, "follows": follows(&record),
-        "read": summary.sentence(stickslip::words::digits),
+        "read": read,
     }))
 }
 

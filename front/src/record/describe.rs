@@ -25,12 +25,13 @@ pub struct Channel {
     pub gaps: Vec<[f64; 2]>,
 }
 
-impl Channel {
-    fn new(reading: Reading<f64>) -> Self {
-        let Reading { record, summary, .. } = reading;
+impl From<Reading<f64>> for Channel {
+    fn from(Reading { record, summary, .. }: Reading<f64>) -> Self {
         Self { peak_frequency: peak_frequency(&record), gaps: gaps(&record), record, summary }
     }
+}
 
+impl Channel {
     /// The description in sentences, with numbers written by `number`.
     pub fn sentences(&self, number: impl Fn(f64) -> String) -> String {
         let frequency = self
@@ -66,7 +67,7 @@ pub fn describe<R: BufRead>(
     };
     let mut names = Vec::new();
     match read(options, &mut names) {
-        Ok(reading) => return Ok(vec![Channel::new(reading)]),
+        Ok(reading) => return Ok(vec![Channel::from(reading)]),
         Err(error) if options.column.is_some() || names.len() < 2 => return Err(error),
         Err(_) => {}
     }
@@ -79,7 +80,7 @@ pub fn describe<R: BufRead>(
     chosen
         .map(|column| {
             let options = Options { column: Some(&column), ..*options };
-            read(&options, &mut Vec::new()).map(Channel::new)
+            read(&options, &mut Vec::new()).map(Channel::from)
         })
         .collect()
 }
