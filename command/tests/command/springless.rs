@@ -131,7 +131,7 @@ fn a_constant_force_makes_it_drift() {
             compared("system steady drift", ours, drift * LENGTH, Origin::ByHand, 1e-11 * (alpha * LENGTH));
             let speed = answer["mean_velocity"][0].as_f64().unwrap();
             compared(
-                "steady mean_velocity",
+                "system steady mean_velocity",
                 speed,
                 drift * LENGTH * 3.0 / TAU,
                 Origin::ByHand,
