@@ -1,6 +1,6 @@
 //! The file of a record: of an agency, or columns of numbers. Its layout is found by its content, not by its name.
 //!
-//! [`LAYOUTS`] lists them.
+//! `LAYOUTS` lists them.
 //!
 //! The text is read line by line: memory holds the samples and one line.
 
