@@ -31,11 +31,23 @@ pub(crate) fn run(args: &SteadyArgs, out: &mut impl Write) -> Outcome {
     let described = system(&input::with_any_mass(given), args, &reader)?;
     let asked = NamedSystem::new(&described, [], Path::new(""), None).map_err(Failure::Input)?;
     let engine = asked.system.clone().while_allowed(interrupt::keep_going);
-    let found = engine.steady(&asked.described.start).map_err(Failure::from)?;
+    let mut found = engine.steady(&asked.described.start).map_err(Failure::from)?;
+    // The system has the mean of both frictions, and half their difference as a constant force: that force is the friction's.
+    let offset = offset(given)?;
+    for (element, drift) in found.motion.elements.iter_mut().zip(&found.drift) {
+        element.work += offset * drift;
+        found.motion.load_work += offset * drift;
+    }
     if args.output.is_json()? {
         return output::json(&Answer::steady(&asked.described, &found), out);
     }
     steady_motion(&asked, &found, out)
+}
+
+/// Half the difference of the frictions against forward and against backward motion.
+fn offset(given: &Given<f64>) -> Result<f64, Failure> {
+    let friction = given.friction()?.unwrap_or(0.0);
+    Ok(0.5 * (friction - given.get(Input::FrictionBackward).unwrap_or(friction)))
 }
 
 /// The system of one body in the form of a file, with bare numbers in the system of units of the inputs.
@@ -48,7 +60,8 @@ fn system(given: &Given<f64>, args: &SteadyArgs, reader: &Reader) -> Result<serd
     symmetric.replace_friction(0.5 * friction + 0.5 * backward);
     let machine = symmetric.driven()?;
     let (body, drive) = (&machine.oscillator, &machine.drive);
-    let constant = or_zero(Input::MeanForce) - 0.5 * (friction - backward);
+    body.with_directional_friction(friction, backward).map_err(|e| given.at_fault(&e))?;
+    let constant = or_zero(Input::MeanForce) - offset(given)?;
     let [x0, v0] = [Input::X0, Input::V0].map(|input| args.start.text(input));
     let [x0, v0] = input::start_in_units::<f64>(reader, [x0, v0])?;
     let load = json!({

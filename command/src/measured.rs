@@ -16,7 +16,7 @@ use stickslip_front::text::printable;
 /// The options of the reader.
 pub(crate) fn options<'a>(args: &'a LoadArgs, name: &'a str, reader: &'a Reader) -> Options<'a> {
     // A scale with a unit is a sensitivity, which the reader uses.
-    let scale = args.scale.as_deref().filter(|text| text.contains('/'));
+    let scale = args.scale.as_deref().filter(|text| record::is_sensitivity(text));
     Options {
         time_step: args.time_step.as_deref(),
         time_column: args.time_column.as_deref(),

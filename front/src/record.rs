@@ -27,7 +27,7 @@ mod unit;
 
 pub use describe::{Channel, describe, gaps, peak_frequency};
 use lines::{Line, Lines};
-pub use options::{Options, Words};
+pub use options::{Options, Words, is_sensitivity};
 use samples::Samples;
 use sheet::{Found, Sheet};
 use std::io::{BufRead, Read};

@@ -339,7 +339,7 @@ impl<F: Float + FromStr> Given<F> {
         if self.is_without_friction() && self.has_role(Role::Drive) {
             let input = self.first_of(Role::Friction).unwrap_or(Input::Friction);
             return Err(InputError(format!(
-                "{}: must be > 0 without a spring, because the body is free: x = −p₀ sin(ω_d t)/(m ω_d²)",
+                "{}: must be > 0 without a spring, because the motion is linear then",
                 self.label(input)
             )));
         }

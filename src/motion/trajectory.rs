@@ -220,7 +220,7 @@ impl<F: Float> Trajectory<F> {
     ///
     /// # Errors
     /// Where Ω is below 2⁻²⁰, because one slide then spans so many periods that a phase keeps few digits, or above that of
-    /// a body whose spring cannot be seen (`springless`, 2²⁸ at f64); where ζ is above 2²⁰ and 2²⁰ Ω, or η above 2²⁰.
+    /// a body whose spring cannot be seen (twice `springless`, 2²⁹ at f64); where ζ is above 2²⁰ and 2²⁰ Ω, or η above 2²⁰.
     pub fn new(ratios: Ratios<F>, start: State<F>) -> Result<Self, Error> {
         let equation = Equation::new(resolved(ratios)?);
         Ok(Self::of(equation, start))
@@ -275,7 +275,8 @@ impl<F: Float> core::iter::FusedIterator for Trajectory<F> {}
 /// (Ω, α, ζ, η), if Ω is in the range where phases keep their digits, ζ where velocities do and η where
 /// forces do.
 pub(crate) fn resolved<F: Float>(ratios: Ratios<F>) -> Result<Ratios<F>, Error> {
-    let (least, greatest) = (F::exp2i(-20), springless::<F>().or_larger(F::exp2i(20)));
+    // A spring that is not there has an Ω with the rounding of its stiffness.
+    let (least, greatest) = (F::exp2i(-20), (F::int(2) * springless()).or_larger(F::exp2i(20)));
     crate::machine::ratios::within(Quantity::FrequencyRatio, ratios.omega(), least, greatest)?;
     if ratios.is_damped() {
         let zeta = ratios.damping_ratio();

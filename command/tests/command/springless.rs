@@ -117,10 +117,14 @@ fn a_constant_force_makes_it_drift() {
         };
         // The other root of the sine is the one at which the force pushes forward.
         let start = if alpha * start.sin() + d > 1.0 { start } else { PI - forward - start };
-        let drift = travelled(start, forward, d - 1.0) + travelled(start + forward, TAU - forward, d + 1.0);
-        for options in [
-            format!("--friction 4 --mean-force={}", 4.0 * d),
-            format!("--friction {} --friction-backward {}", 4.0 * (1.0 - d), 4.0 * (1.0 + d)),
+        let [there, back] =
+            [travelled(start, forward, d - 1.0), travelled(start + forward, TAU - forward, d + 1.0)];
+        let drift = there + back;
+        // Friction takes up r₊ times the way forward and r₋ times the way back, and the load does that work.
+        let by_direction = [4.0 * (1.0 - d), 4.0 * (1.0 + d)];
+        for (options, [r, s]) in [
+            (format!("--friction 4 --mean-force={}", 4.0 * d), [4.0; 2]),
+            (format!("--friction {} --friction-backward {}", by_direction[0], by_direction[1]), by_direction),
         ] {
             let answer = json(&format!(
                 "steady --no-spring --mass 2 --frequency 3 --force {} {options} --format json",
@@ -129,6 +133,11 @@ fn a_constant_force_makes_it_drift() {
             assert_eq!(answer["kind"], "periodic", "{answer}");
             let ours = answer["drift"][0].as_f64().unwrap();
             compared("system steady drift", ours, drift * LENGTH, Origin::ByHand, 1e-11 * (alpha * LENGTH));
+            let work = (r * there - s * back) * LENGTH;
+            for ours in [&answer["elements"][0]["work"], &answer["load_work"]] {
+                let ours = ours.as_f64().unwrap();
+                compared("system steady load_work", ours, work, Origin::ByHand, 1e-11 * work);
+            }
             let speed = answer["mean_velocity"][0].as_f64().unwrap();
             compared(
                 "system steady mean_velocity",
@@ -217,6 +226,13 @@ fn a_stiffness_of_zero_is_the_same_and_a_soft_spring_is_near() {
     let rows =
         stdout("sweep response --no-spring --mass 2 --friction 4 --frequency 3:30:4 --force 12 --format csv");
     assert_eq!(rows.lines().count(), 5, "{rows}");
+    // The stiffness that stands for none has its rounding.
+    for line in [
+        "steady --no-spring --mass 94kg --frequency 13Hz --units N,mm --friction 1N --force 3N",
+        "sweep steady --no-spring --mass 7kg --friction 4N --force 5N --frequency 1Hz:5Hz:40 --format csv",
+    ] {
+        assert!(!stdout(line).is_empty(), "{line}");
+    }
     let motion = stdout(&format!("simulate {MACHINE} --force 12 --cycles 3 --format csv"));
     assert!(motion.lines().count() > 5, "{motion}");
 }
@@ -248,6 +264,10 @@ fn what_needs_a_spring_is_refused() {
         (
             "attractors --no-spring --mass 2 --friction 4 --frequency 3 --force 12 --static-ratio 1.2",
             "Without a spring a limit has any place",
+        ),
+        (
+            "steady --no-spring --mass 1 --friction 3 --friction-backward=-1 --force 10 --frequency 1",
+            "backward friction r₋ = -1 must be > 0",
         ),
         ("pull --no-spring --mass 2 --friction 4 --speed 1", "stiffness k = 0 must be > 0"),
     ] {

@@ -71,6 +71,13 @@ impl Words {
     };
 }
 
+/// Whether a scale is what a unit of the signal is, such as `2.5 N/V`, and not a number with a unit, such as `2 m/s^2`.
+#[must_use]
+pub fn is_sensitivity(scale: &str) -> bool {
+    let (_, unit) = split(scale);
+    unit.contains('/') && !Reader::is_unit(unit)
+}
+
 /// What is known of a file beside its text, and what is wanted of it, as it was typed.
 #[derive(Debug, Clone, Copy)]
 pub struct Options<'a> {
@@ -192,7 +199,7 @@ impl<'a> Options<'a> {
 
     /// The factor, the unit and the unit for each of which it is, of `2.5 N/V`.
     pub(super) fn sensitivity(&self) -> Option<(&'a str, &'a str, &'a str)> {
-        let (factor, unit) = split(self.scale?);
+        let (factor, unit) = split(self.scale.filter(|text| is_sensitivity(text))?);
         let (unit, per) = unit.rsplit_once('/')?;
         Some((if factor.is_empty() { "1" } else { factor }, unit.trim(), per.trim()))
     }

@@ -189,6 +189,7 @@ fn rows(
     }
     let (mut start, mut repeated) = (None, 0usize);
     let mut before = (String::new(), String::new());
+    let mut sign: Option<(char, u64)> = None;
     while let Some((number, row)) = sheet.lines.next()? {
         if row.trim().is_empty() || comment(&row).is_some() {
             continue;
@@ -219,6 +220,19 @@ fn rows(
         };
         let sample = cell(columns.load, &columns.name)?;
         let time = columns.time.map(|place| cell(place, "time")).transpose()?;
+        // 999.5 and 1,000 in one column: one of the two signs separates thousands, and which one is not known.
+        for text in [Some(sample), time.filter(|time| clock::instant(time).is_none())].into_iter().flatten() {
+            let own = text.chars().find(|c| *c == '.' || *c == ',' && delimiter != Delimiter::Sign(','));
+            match (own, sign) {
+                (Some(own), Some((other, line))) if own != other => {
+                    return Err(at(&format!(
+                        "{text}: has the sign “{own}”, and a number in line {line} “{other}”"
+                    )));
+                }
+                (Some(own), None) => sign = Some((own, number)),
+                _ => {}
+            }
+        }
         // A logger may write a row twice; two values at one time are a step.
         if let Some(time) = time {
             if before.0 == time && before.1 == sample {

@@ -416,10 +416,10 @@ impl Builder<'_> {
                 })?
             }
         };
-        let name = match fields.get("name") {
-            Some(node) => node.name()?.to_owned(),
-            None => fields.node.place().to_owned(),
-        };
+        let name = self.name(fields)?;
+        if self.model.levels.iter().any(|level| level.name == name) {
+            return Err(fields.node.wrong(&format!("the name {name} is used twice")));
+        }
         let (displacement, velocity, value) = match (fields.get("displacement"), fields.get("velocity")) {
             (Some(node), None) => (on, Vec::new(), node.quantity(Of::Length)?),
             (None, Some(node)) => (Vec::new(), on, node.quantity(Of::Velocity)?),

@@ -49,7 +49,14 @@ fn time(names: &[Name], options: &Options<'_>) -> Result<Option<usize>, String> 
             format!("{} {asked}: must be a column of {}: {all}", options.words.time_column, options.name)
         });
     }
-    let of_name = names.iter().position(|name| name.role == Role::Time);
+    let of_role = |(place, name): (usize, &Name)| (name.role == Role::Time).then_some(place);
+    let named: Vec<usize> = names.iter().enumerate().filter_map(of_role).collect();
+    if named.len() > 1 {
+        let all = listed(names, named);
+        let word = options.words.time_column;
+        return Err(format!("{}: has several columns of time: {all}. Choose one by {word}", options.name));
+    }
+    let of_name = named.first().copied();
     let is_time = |name: &&(usize, &Name)| {
         let unit = name.1.unit.as_ref().map(|unit| super::text::unit(unit));
         name.1.role == Role::Other

@@ -263,7 +263,13 @@ pub(super) fn step(line: &str) -> Option<(String, String, bool)> {
     let (key, unit) = name_and_unit(key);
     let key = key.to_lowercase().replace(['_', '-'], " ");
     let (is_step, is_rate) = (STEPS.contains(&key.as_str()), RATES.contains(&key.as_str()));
-    let value = value.trim().trim_matches(['"', '\t', ';', ',']).replace(',', ".");
+    let value = value.trim().trim_matches(['"', '\t', ';', ',']);
+    // “10,000 Hz” may be ten or ten thousand.
+    let after = value.split_once(',').map(|(_, after)| after.bytes().take_while(u8::is_ascii_digit).count());
+    if after == Some(3) {
+        return None;
+    }
+    let value = value.replace(',', ".");
     let (digits, own) = stickslip::inputs::units::split(&value);
     text::number::<f64>(digits).filter(|number| *number > 0.0 && (is_step || is_rate))?;
     let unit = if own.is_empty() { unit.unwrap_or_default() } else { own };
