@@ -356,6 +356,7 @@ test("the keyboard alone reaches and changes everything", async () => {
   await page.keyboard.press("Control+A");
   await page.keyboard.type("6 kN");
   await answered(page, "Sticking");
+  await quiet(page);
   await page.focus("#answer summary");
   await page.keyboard.press("Enter");
   await page.waitForFunction(() => document.querySelectorAll("#all tr").length > 40);
