@@ -55,7 +55,9 @@ pub(super) fn led(error: String, head: &Head, options: &Options<'_>) -> String {
     let most = head.lines.iter().map(|(_, line)| width(line)).max().unwrap_or(0).min(12);
     let numbers: Vec<String> = (1..=most).map(|place| place.to_string()).collect();
     let words = options.words;
-    let skips = [0].into_iter().chain(before_rows(head).filter(|skip| *skip > 0 && !words.skip.is_empty()));
+    // Where a name, its unit or an option is at fault, the header is one: without it the numbers would be others.
+    let may_skip = !words.skip.is_empty() && !error.contains("unit") && !error.contains("must be left out");
+    let skips = [0].into_iter().chain(before_rows(head).filter(|skip| *skip > 0 && may_skip));
     for skip in skips {
         let base = Options { skip, ..*options };
         for (has_step, has_unit) in [(false, false), (false, true), (true, false), (true, true)] {

@@ -126,3 +126,22 @@ fn errors_lead_to_the_options_that_read_the_file() {
         error(&mini_seed).starts_with("file: is miniSEED or SEED, whose samples are counts without a unit")
     );
 }
+
+/// What can be read in two ways is refused, and no option is suggested that would read other numbers.
+#[test]
+fn what_may_be_two_things_is_refused() {
+    for (text, said) in [
+        ("time[s]\tforce[N]\n0\t999.5\n1\t1,000\n", "1,000: has the sign “,”, and a number in line 2 “.”"),
+        (
+            "time[s],a1[g],time[s],a2[g]\n0,1,0,10\n1,2,5,20\n",
+            "has several columns of time: time, time. Choose one by",
+        ),
+        ("Zeit [s];Gewicht [g]\n0;1\n1;2\n", "its unit is that of a mass"),
+        ("Sample rate: 10,000 Hz\nForce [N]\n1.5\n2.5\n", "time"),
+    ] {
+        let error = error(text.as_bytes());
+        assert!(error.contains(said), "{text}: {error}");
+    }
+    let error = error(b"time[ms],acc[m/seg2]\n0,1\n10,2\n20,4\n");
+    assert!(error.ends_with("“m/seg2” is not a known unit"), "{error}");
+}

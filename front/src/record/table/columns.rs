@@ -146,6 +146,13 @@ pub(super) fn named(
         _ if Some(load) == time => return Err(format!("{at}: must be a load, not the time")),
         _ => None,
     };
+    let is_mass = |word: &&str| name.own.to_lowercase().contains(*word);
+    if of_role.is_none()
+        && name.unit.as_deref().is_some_and(|unit| matches!(super::text::unit(unit).as_str(), "g" | "mg"))
+        && ["mass", "weight", "gewicht", "peso", "poids", "massa"].iter().any(is_mass)
+    {
+        return Err(format!("{at}: must be a load, and its unit is that of a mass"));
+    }
     let kind = of_role.map(|(_, kind, _)| kind);
     let unit = match (&known.unit, &name.unit, options.units) {
         (Some(unit), ..) => Some(unit.clone()),
