@@ -836,6 +836,9 @@ test("axe finds no violation, in light and dark, wide and narrow", async () => {
     } else {
       await page.click("#answer summary");
       await page.click("#sample");
+      // What is computed anew is pale until it is there.
+      await page.waitForFunction(() => isRecordOfNow() && !$("record-shown").classList.contains("stale"));
+      await quiet(page);
     }
     await page.waitForTimeout(600);
     await page.evaluate(axe);
