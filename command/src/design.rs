@@ -16,7 +16,7 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::Write;
 use stickslip::design::{self, Band, Edge, Holding};
 use stickslip::inputs::units::{Kind, System};
-use stickslip::inputs::{Input, Role};
+use stickslip::inputs::{Given, Input, Role};
 use stickslip::{Border, Drive, Error, Excitation, NoStop, Oscillator, Ratios};
 
 pub(crate) fn run(question: &Question, out: &mut impl Write) -> Outcome {
@@ -142,12 +142,8 @@ impl<F: Value> AskedDesign<'_, F> {
         let force = force * self.share;
         let (newton, length) = (self.system().force(), self.system().length());
         let unbalance = self.system().name(Kind::Unbalance);
-        let mut fields = force_and_equals(&body, frequency, force);
-        if self.given.is_without_spring() {
-            fields.retain(|(name, ..)| *name != "foot_displacement");
-        } else {
-            fields.extend(self.shift(&body)?);
-        }
+        let mut fields = force_and_equals(&self.given, &body, frequency, force);
+        fields.extend(self.shift(&body)?);
         let of = |name: &str| {
             fields.iter().find(|(n, ..)| *n == name).map_or_else(String::new, |f| f.2.shown().text())
         };
@@ -366,18 +362,25 @@ impl<F: Value> AskedDesign<'_, F> {
 }
 
 /// A force, the unbalance, and the amplitude of either kind of base motion that exerts this force on the body.
-fn force_and_equals<F: Value>(body: &Oscillator<F>, frequency: F, force: F) -> AnswerRow<F> {
+fn force_and_equals<F: Value>(
+    given: &Given<F>,
+    body: &Oscillator<F>,
+    frequency: F,
+    force: F,
+) -> AnswerRow<F> {
     let equal = |name, kind, excitation| {
         let unit = Drive::new(excitation, F::int(1), frequency).map(|unit| unit.force_amplitude(body));
         (name, kind, Cell::Number(unit.ok().map(|unit| force / unit)))
     };
-    vec![
+    let mut row = vec![
         ("force", Kind::Force, some(force)),
         equal("unbalance", Kind::Unbalance, Excitation::Unbalance),
         equal("foot_displacement", Kind::Length, Excitation::FootMotion),
         equal("base_displacement", Kind::Length, Excitation::SurfaceMotion),
         equal("base_acceleration", Kind::Acceleration, Excitation::SurfaceAcceleration),
-    ]
+    ];
+    row.retain(|(name, ..)| *name != "foot_displacement" || !given.is_without_spring());
+    row
 }
 
 /// The field that marks an answer found by search, without a proof that it is the only one or the best.
@@ -394,7 +397,7 @@ impl<F: Value> AskedDesign<'_, F> {
         let (found, unit, mut fields, name, kind) = if self.physical {
             let (body, frequency) = (self.body(true, true)?, self.frequency()?);
             let forces = design::forces_without_stop(&body, frequency).map_err(|e| self.fail(e))?;
-            let fields = force_and_equals(&body, frequency, forces.min());
+            let fields = force_and_equals(&self.given, &body, frequency, forces.min());
             (forces, self.system().force(), fields, "no_stop_forces", Kind::Force)
         } else {
             self.one_friction()?;

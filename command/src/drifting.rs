@@ -11,24 +11,22 @@ use stickslip::inputs::units::Reader;
 use stickslip::inputs::{Given, Input};
 use stickslip_front::system::{Answer, NamedSystem};
 
-/// Whether the inputs are those of one body that drifts.
-pub(crate) fn is_asked(args: &SteadyArgs) -> Result<bool, Failure> {
+/// The inputs, if they are those of one body that drifts.
+pub(crate) fn asked(args: &SteadyArgs) -> Result<Option<Given<f64>>, Failure> {
     if args.enclose || args.machine.text(Input::Stiffness).is_none() {
-        return Ok(false);
+        return Ok(None);
     }
     let given = input::read::<f64>(&args.machine, &args.output.units.reader())?;
-    Ok(given.is_without_spring() && given.drifts().is_some())
+    Ok((given.is_without_spring() && given.drifts().is_some()).then_some(given))
 }
 
 /// The answer: that of a system of this one body.
-pub(crate) fn run(args: &SteadyArgs, out: &mut impl Write) -> Outcome {
-    let reader = args.output.units.reader();
-    let given = &input::read::<f64>(&args.machine, &reader)?;
+pub(crate) fn run(args: &SteadyArgs, given: &Given<f64>, out: &mut impl Write) -> Outcome {
     if args.output.bits.is_some_and(|bits| bits > f64::MANTISSA_DIGITS) || args.output.points.is_some() {
         let text = given.drifts().map(|input| given.label(input)).unwrap_or_default();
         return Err(format!("{text}: a drift is answered at 53 bits and for one machine").into());
     }
-    let described = system(&input::with_any_mass(given), args, &reader)?;
+    let described = system(&input::with_any_mass(given), args, &args.output.units.reader())?;
     let asked = NamedSystem::new(&described, [], Path::new(""), None).map_err(Failure::Input)?;
     let engine = asked.system.clone().while_allowed(interrupt::keep_going);
     let mut found = engine.steady(&asked.described.start).map_err(Failure::from)?;

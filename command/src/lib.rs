@@ -125,8 +125,10 @@ fn run_command(command: &Command) -> Outcome {
     match command {
         Command::Response(args) => closed::response(args, &mut out)?,
         Command::Border(args) => closed::border(args, &mut out)?,
-        Command::Steady(args) if drifting::is_asked(args)? => drifting::run(args, &mut out)?,
-        Command::Steady(args) => steady::run(args, &mut out)?,
+        Command::Steady(args) => match drifting::asked(args)? {
+            Some(given) => drifting::run(args, &given, &mut out)?,
+            None => steady::run(args, &mut out)?,
+        },
         Command::Attractors(args) => attractors::run(args, &mut out)?,
         Command::Basins(args) => basins::run(args, &mut out)?,
         Command::Simulate(args) => simulate::run(args, &mut out)?,

@@ -165,9 +165,7 @@ impl<F: Value> Cells<F> {
             *cell = Cell::Number(None);
         }
         self.physical = physical(given, machine).with(&self.fields, machine.drive.excitation(), size);
-        let row = self.shown();
-        let row = if has_spring { row } else { row.without_units_of_spring() };
-        let row = if has_friction { row } else { row.without_units_of_friction() };
+        let row = self.shown().in_units_of(has_friction, has_spring);
         row.finite().map_err(|e| behind_all(given, e))
     }
 }
@@ -178,23 +176,15 @@ fn is_state(key: Key) -> bool {
 }
 
 impl Row {
-    /// The row of a body without friction: values in units of the friction do not exist.
-    pub(crate) fn without_units_of_friction(mut self) -> Self {
-        for (key, cell) in &mut self.fields {
-            if is_of_friction(key.measure) || is_state(key) {
-                *cell = cell.blank();
-            }
-        }
-        self
-    }
-
-    /// The row of a body without a spring: values in units of the spring do not exist.
-    pub(crate) fn without_units_of_spring(mut self) -> Self {
-        for (key, cell) in &mut self.fields {
-            let is_ratio = [OMEGA, DAMPING_RATIO].contains(key);
-            if is_ratio || is_of_spring(key.measure) || is_state(key) {
-                *cell = cell.blank();
-            }
+    /// The row without the values in units of a friction or of a spring that is not there.
+    pub(crate) fn in_units_of(mut self, has_friction: bool, has_spring: bool) -> Self {
+        let is_without = |key: Key| {
+            let of_ratio = [OMEGA, DAMPING_RATIO].contains(&key);
+            !has_friction && (is_of_friction(key.measure) || is_state(key))
+                || !has_spring && (of_ratio || is_of_spring(key.measure) || is_state(key))
+        };
+        for (_, cell) in self.fields.iter_mut().filter(|(key, _)| is_without(key)) {
+            *cell = cell.blank();
         }
         self
     }

@@ -70,12 +70,8 @@ fn write<F: Value>(args: &SimulateArgs, format: StreamFormat, out: &mut impl Wri
     extent.refuse_years(point.ratios.omega().to_f64())?;
     let start = input::start(&args.start, &given, point.machine.as_ref(), &reader)?;
     let start = at_phase(start, args.phase.as_deref(), &reader)?;
-    let has_friction = !given.is_without_friction();
-    let has_spring = !given.is_without_spring();
-    let of_friction = |row: Row| {
-        let row = if has_friction { row } else { row.without_units_of_friction() };
-        if has_spring { row } else { row.without_units_of_spring() }
-    };
+    let (has_friction, has_spring) = (!given.is_without_friction(), !given.is_without_spring());
+    let in_units = |row: Row| row.in_units_of(has_friction, has_spring);
     let motion = Trajectory::new(point.ratios, start).map_err(|e| of_motion(&given, e))?;
     let machine = point.machine.as_ref();
     let bar = progress::bar(extent.cycles(), "cycles");
@@ -95,7 +91,7 @@ fn write<F: Value>(args: &SimulateArgs, format: StreamFormat, out: &mut impl Wri
             tick(begins.cycles());
             extent
                 .contains(begins, start.phase)
-                .then(|| of_friction(of_phase(&phase, start.phase, given.system, machine)))
+                .then(|| in_units(of_phase(&phase, start.phase, given.system, machine)))
         }),
         Some(spacing) => {
             let mut samples = match spacing {
@@ -115,7 +111,7 @@ fn write<F: Value>(args: &SimulateArgs, format: StreamFormat, out: &mut impl Wri
             stream(&mut sink, samples, |instant| {
                 tick(instant.state.phase.cycles());
                 left = left.checked_sub(1)?;
-                Some(of_friction(of_instant(&instant, start.phase, given.system, machine)))
+                Some(in_units(of_instant(&instant, start.phase, given.system, machine)))
             })
         }
     };

@@ -166,6 +166,8 @@ fn design_leads_back() {
         1e-13,
     );
     assert!(force["foot_displacement"].is_null(), "{force}");
+    let forces = json(&format!("design force {MACHINE} --no-stop --format json"));
+    assert!(forces["foot_displacement"].is_null() && forces["base_displacement"].is_number(), "{forces}");
     let friction = json("design friction --no-spring --mass 2 --frequency 3 --force 12 --format json");
     compared(
         "design friction friction",
