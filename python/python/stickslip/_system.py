@@ -35,6 +35,8 @@ class ElementMotion(Result):
         Time in which a contact sticks, an elastic contact holds, or a stop is open.
     stops : int
         How often such a time begins.
+    blows : int, or None
+        How many blows a stop with a restitution gets; None of other elements.
     work : float
         Work that the bodies do on it.
     """
@@ -42,6 +44,7 @@ class ElementMotion(Result):
     kind: str
     time_at_rest: float
     stops: int
+    blows: Optional[int]
     work: float
 
 
@@ -63,7 +66,9 @@ class SystemMotion(Result):
     elements : dict of str to ElementMotion
     event_time : array
     event_element, event_kind : array of str
-        Name of the element, and stick, slip, reverse, touch, yield, lock, open or close.
+        Name of the element, and stick, slip, reverse, touch, yield, lock, open, close or blow.
+    event_velocity_before, event_velocity_after : array
+        Velocity along a stop with a restitution before and after a blow; NaN of other events.
     load_work, damper_work, stored_energy : float
         ``load_work = damper_work + stored_energy +`` the works of the elements.
     units : dict of str to str, or None
@@ -86,6 +91,8 @@ class SystemMotion(Result):
     event_time: Floats
     event_element: NDArray[np.str_]
     event_kind: NDArray[np.str_]
+    event_velocity_before: Floats
+    event_velocity_after: Floats
     load_work: float
     damper_work: float
     stored_energy: float
@@ -226,7 +233,7 @@ class System:
         force. ``peak`` (static over kinetic friction), ``stiffness`` (of an elastic contact), ``moves`` (the motion of the
         other side) and ``name`` may be left out.
     stops : list of dict
-        ``between``, ``gap``, ``stiffness``, ``damping``.
+        ``between``, ``gap``, and ``stiffness`` and ``damping``, or a ``restitution`` from 0 to 1.
     forces : list of dict
         ``on`` a body: ``amplitude``, ``frequency``, ``phase`` and ``shape``, and ``constant``, and ``record``, a file that may
         have ``repeats``. A bare frequency is in
@@ -579,9 +586,10 @@ def _motion(found: Mapping[str, Any], duration: float) -> dict[str, Any]:
     }
     absolute = found.get("max_absolute_acceleration")
     in_space = None if absolute is None else np.array(absolute, dtype=float)
-    names = ("kind", "time_at_rest", "stops", "work")
+    names = ("kind", "time_at_rest", "stops", "blows", "work")
     elements = {
-        element["name"]: ElementMotion({name: element[name] for name in names}) for element in found["elements"]
+        element["name"]: ElementMotion({name: element.get(name) for name in names})
+        for element in found["elements"]
     }
     events = found["events"]
     return {
@@ -595,6 +603,10 @@ def _motion(found: Mapping[str, Any], duration: float) -> dict[str, Any]:
         "event_time": np.array([event["time"] for event in events], dtype=float),
         "event_element": np.array([event["name"] for event in events], dtype=np.str_),
         "event_kind": np.array([event["kind"] for event in events], dtype=np.str_),
+        **{
+            f"event_{name}": np.array([event.get(name, np.nan) for event in events], dtype=float)
+            for name in ("velocity_before", "velocity_after")
+        },
         "load_work": found["load_work"],
         "damper_work": found["damper_work"],
         "stored_energy": found["stored_energy"],
