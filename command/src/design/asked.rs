@@ -7,9 +7,10 @@ use crate::failure::{Failure, Outcome};
 use crate::input;
 use crate::row::Cell;
 use std::io::Write;
-use stickslip::inputs::units::{self, Kind, Reader, System};
-use stickslip::inputs::{Given, Input, Role, in_typed_unit};
-use stickslip::{Drive, Error, Excitation, Oscillator, Quantity, Ratios, words};
+use stickslip::{Drive, Error, Excitation, Oscillator, Quantity, Ratios};
+use stickslip_front::inputs::units::{self, Kind, Reader, System};
+use stickslip_front::inputs::{Given, Input, Role, in_typed_unit};
+use stickslip_front::words;
 
 /// The arguments of a question, read on demand.
 pub(super) struct AskedDesign<'a, F> {
