@@ -15,9 +15,9 @@ use asked::AskedDesign;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::Write;
 use stickslip::design::{self, Band, Edge, Holding};
-use stickslip::inputs::units::{Kind, System};
-use stickslip::inputs::{Given, Input, Role};
 use stickslip::{Border, Drive, Error, Excitation, NoStop, Oscillator, Ratios};
+use stickslip_front::inputs::units::{Kind, System};
+use stickslip_front::inputs::{Given, Input, Role};
 
 pub(crate) fn run(question: &Question, out: &mut impl Write) -> Outcome {
     at_bits!(arguments(question).answer.bits, respond(question: &Question, out))

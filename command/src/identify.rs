@@ -17,10 +17,10 @@ use std::io::{Read, Write};
 use std::iter::zip;
 use std::path::Path;
 use stickslip::design::{self, AmplitudeKind, Identified, Measurement, PhaseKind, Reading};
-use stickslip::inputs::units::{Kind, Reader};
-use stickslip::inputs::{Given, Input, Role, critical_damping};
 use stickslip::uncertainty::Estimate;
 use stickslip::{Error, Oscillator};
+use stickslip_front::inputs::units::{Kind, Reader};
+use stickslip_front::inputs::{Given, Input, Role, critical_damping};
 use stickslip_front::names::{is_misspelt, name_and_unit};
 
 /// The greatest number of measurements.

@@ -17,10 +17,10 @@ use crate::sweep::loops::Looped;
 use crate::sweep::rows;
 use std::f64::consts::TAU;
 use std::io::Write;
-use stickslip::definitions::LIMIT;
-use stickslip::inputs::units::{Kind, System};
-use stickslip::inputs::{Given, Input};
+use stickslip::internal::definitions::LIMIT;
 use stickslip::{Output, Ratios, Regime, Response};
+use stickslip_front::inputs::units::{Kind, System};
+use stickslip_front::inputs::{Given, Input};
 
 pub(crate) use picture::{capital, ends};
 

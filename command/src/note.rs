@@ -6,12 +6,12 @@ use crate::bits::{Value, digits};
 use crate::style;
 use std::fmt::Display;
 use std::io::{self, Write};
-use stickslip::inputs::units::{Kind, System};
-use stickslip::inputs::{Driven, Given, Input, Role};
 use stickslip::motion::SteadyOutput;
-use stickslip::words;
 use stickslip::{Cycle, Excitation, Measure, Output, PhaseFunction, Regime, Response, Scales};
+use stickslip_front::inputs::units::{Kind, System};
+use stickslip_front::inputs::{Driven, Given, Input, Role};
 use stickslip_front::without::{is_of_friction, is_of_spring, without_friction};
+use stickslip_front::words;
 
 use force::needed_force;
 pub(crate) use force::{border, no_stop};

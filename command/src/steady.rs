@@ -9,10 +9,11 @@ use crate::points::AskedPoints;
 use crate::row::{Cells, Row};
 use crate::{enclose, input, interrupt, style};
 use std::io::{self, Write};
-use stickslip::inputs::units::Reader;
-use stickslip::inputs::{Given, Point};
 use stickslip::motion::{LongRun, Peaks, State, SteadyAnswer, SteadyState};
-use stickslip::{Error, Excitation, Measure, Quantity, words};
+use stickslip::{Error, Excitation, Measure, Quantity};
+use stickslip_front::inputs::units::Reader;
+use stickslip_front::inputs::{Given, Point};
+use stickslip_front::words;
 
 pub(crate) fn run(args: &SteadyArgs, out: &mut impl Write) -> Outcome {
     if args.enclose {

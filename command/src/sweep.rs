@@ -16,7 +16,7 @@ use rows::SweepRows;
 use std::io::Write;
 use std::ops::Range;
 #[cfg(feature = "parquet")]
-use stickslip::inputs::Input;
+use stickslip_front::inputs::Input;
 
 /// The greatest number of points, as of the segments of `simulate`: hours at some millions per second.
 const MOST_ROWS: u64 = 10_000_000_000;

@@ -18,10 +18,10 @@ use crate::sink::Sink;
 use serde_json::Value;
 use std::io::{Read, Write};
 use std::path::Path;
-use stickslip::inputs::units::{Kind as Of, System as Units};
 use stickslip::motion::record::Record;
 use stickslip::system::State;
 use stickslip_figures::Figure;
+use stickslip_front::inputs::units::{Kind as Of, System as Units};
 use stickslip_front::record::Summary;
 use stickslip_front::system::{Answer, LONGEST, NamedSystem, OfBorder, Samples, decoded, parsed};
 

@@ -12,11 +12,12 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::prelude::*;
 use std::sync::LazyLock;
-use stickslip::definitions::{ERROR_1, ERROR_2, ERROR_3, ERROR_4, LIMIT};
+use stickslip::internal::definitions::{ERROR_1, ERROR_2, ERROR_3, ERROR_4, LIMIT};
+use stickslip::internal::{Observed, Value, observed};
 use stickslip::motion::{
     self, DEFAULT_BUDGET, End, FreeDecay, LongRun, State, SteadyAnswer, SteadyOutput, SteadyState, Trajectory,
 };
-use stickslip::{Definition, Error, Excitation, Observed, Ratios, Value, observed};
+use stickslip::{Definition, Error, Excitation, Ratios};
 
 /// The maximum number of rows of a simulation, which memory limits.
 const MOST_ROWS: usize = 1 << 28;

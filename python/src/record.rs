@@ -11,10 +11,10 @@ use pyo3::types::PyDict;
 use rayon::prelude::*;
 use std::fs::File;
 use std::io::{BufReader, Read};
-use stickslip::inputs::units::{InputError, Kind, Reader, System};
-use stickslip::inputs::{Given, Role};
 use stickslip::motion::record::{After, Body, Entry, FloorResponse, Record, RecordAnswer, follow_each_while};
 use stickslip::{Error, Excitation};
+use stickslip_front::inputs::units::{InputError, Kind, Reader, System};
+use stickslip_front::inputs::{Given, Role};
 use stickslip_front::record::{self as front, Options, Words};
 
 /// Mass, stiffness, damping constant, friction against forward and against backward motion, static friction ratio,
@@ -189,7 +189,7 @@ fn record_between(
 
 /// The numbers of a block of the given values on a surface that falls by `slope`.
 fn of_block(given: &Given<f64>, slope: Option<f64>) -> Result<[f64; 7], InputError> {
-    let body = Body::given(given, slope)?;
+    let body = given.body(slope)?;
     let (forward, backward) = body.directional_friction();
     let ratio = body.static_friction_ratio();
     Ok([body.mass(), 0.0, body.damping(), forward, backward, ratio, body.mean_force()])

@@ -9,9 +9,9 @@ use pyo3::types::PyDict;
 use rayon::prelude::*;
 use std::path::Path;
 use std::sync::Arc;
-use stickslip::inputs::units::{Kind, System as Units};
 use stickslip::motion::record::Record;
 use stickslip::system::Error;
+use stickslip_front::inputs::units::{Kind, System as Units};
 use stickslip_front::system::{
     Answer, Asked, Axis, Cell, Description, Grid, NamedSystem, OfBorder, Samples, Units as UnitsOf, decoded,
     parsed,

@@ -1,9 +1,9 @@
 //! The inputs of a question: a machine in units, or its ratios, and the start of its motion.
 
 use serde_json::Value;
-use stickslip::inputs::units::{Kind, Reader, System};
-use stickslip::inputs::{Given, Input, Naming, Point};
 use stickslip::motion::State;
+use stickslip_front::inputs::units::{Kind, Reader, System};
+use stickslip_front::inputs::{Given, Input, Naming, Point};
 
 /// A question as the page asks it.
 pub struct Asked<'a>(pub(crate) &'a Value);

@@ -7,9 +7,9 @@ use crate::failure::{Failure, Outcome};
 use crate::input;
 use crate::row::Cell;
 use std::io::Write;
-use stickslip::inputs::units::{self, Kind, Reader, System};
-use stickslip::inputs::{Given, Input, Role, in_typed_unit};
 use stickslip::{Drive, Error, Oscillator, Quantity, Ratios};
+use stickslip_front::inputs::units::{self, Kind, Reader, System};
+use stickslip_front::inputs::{Given, Input, Role, in_typed_unit};
 
 /// The arguments of a question, read on demand.
 pub(super) struct AskedDesign<'a, F> {
@@ -140,7 +140,7 @@ impl<'a, F: Value> AskedDesign<'a, F> {
     /// The kind of base motion of the question, if any.
     pub(super) fn base_motion(&self) -> Option<&'static str> {
         let (input, _) = self.given.one_of(Role::Drive).ok()??;
-        stickslip::words::base_motion(input.excitation()?)
+        stickslip_front::words::base_motion(input.excitation()?)
     }
 
     /// The failure: the error, preceded by the arguments of the machine, the range or the target that caused

@@ -5,9 +5,9 @@ use crate::attractors::{reach, start};
 use crate::failure::Failure;
 use crate::starts::follow;
 use crate::{input, interrupt, progress};
-use stickslip::inputs::Role;
 use stickslip::motion::{Attractors, LongRun, Loss, SymmetryBreak, symmetry_breaks};
 use stickslip::{Error, Ratios};
+use stickslip_front::inputs::Role;
 
 /// The number of starts for each point, which are those of `stickslip attractors`.
 pub(super) const STARTS: u64 = 16;

@@ -10,8 +10,8 @@ use crate::input;
 use crate::outputs;
 use crate::row::Cell;
 use std::collections::BTreeSet;
-use stickslip::inputs::{Input, Role};
 use stickslip_figures::{Axis, Figure, Panel, Plane, Scale, Series, Style};
+use stickslip_front::inputs::{Input, Role};
 
 impl Map<'_> {
     /// The meaning of the colours, in words, with the unit.

@@ -10,10 +10,10 @@ use super::lines::Line;
 use super::sheet::{Found, Sheet, Times};
 use super::unit::Ratio;
 use super::{Unit, text};
+use crate::inputs::units::{Kind, Reader};
 use cells::{Delimiter, Row, comment, decimal, is_number, width};
 use columns::{Columns, named, unnamed};
 use header::{Name, header};
-use stickslip::inputs::units::{Kind, Reader};
 
 /// The most lines without numbers before the columns.
 const MOST_TITLES: usize = 200;

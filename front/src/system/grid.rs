@@ -3,10 +3,10 @@
 use super::built::NamedSystem;
 use super::described::Described;
 use crate::grid::Range;
+use crate::inputs::units::{Kind as Of, Reader, System as Units, split};
 use serde_json::Value;
 use std::ops::ControlFlow;
 use std::path::Path;
-use stickslip::inputs::units::{Kind as Of, Reader, System as Units, split};
 use stickslip::motion::record::Record;
 use stickslip::system::{Motion, Steady};
 

@@ -3,10 +3,10 @@
 use super::answer::kind_of;
 use super::described::Described;
 use super::description::OfSliding;
+use crate::inputs::units::{Kind as Of, System as Units};
+use crate::words::digits;
 use std::f64::consts::TAU;
-use stickslip::inputs::units::{Kind as Of, System as Units};
 use stickslip::system::{Border, GREATEST_COEFFICIENT, Steady, SteadyKind};
-use stickslip::words::digits;
 
 /// One of a thing in words, or several in digits.
 #[must_use]

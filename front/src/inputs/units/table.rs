@@ -1,10 +1,8 @@
 //! The known units, each exact by definition, and their products and quotients.
 
 use super::factor::Factor;
-use super::kind::Dimension;
-use super::kind::Kind::{self, Acceleration, Angle, Energy, Force, Frequency, Length, Mass, Ratio, Time};
-use alloc::vec;
-use alloc::vec::Vec;
+use Kind::{Acceleration, Angle, Energy, Force, Frequency, Length, Mass, Ratio, Time};
+use stickslip::internal::{Dimension, Kind};
 
 /// A unit: its dimension, and its value in kg, m, s and rad.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -164,7 +162,7 @@ mod tests {
 
     #[test]
     fn the_reference_lists_every_unit() {
-        let page = include_str!("../../../docs/outputs.md");
+        let page = include_str!("../../../../docs/outputs.md");
         let (_, list) = page.split_once("## Units").unwrap();
         let list = list.split("\n## ").next().unwrap();
         for (symbol, ..) in TABLE {

@@ -1,22 +1,16 @@
 //! The given inputs, and the rules by which they determine a machine.
 
+mod body;
 mod nothing;
 mod quantities;
 
 pub use nothing::in_place_of_zeros;
 
 use super::input::{Input, Naming, Role};
-use crate::float::Float;
-use crate::machine::error::{Error, Number, Quantity};
-use crate::machine::oscillator::{Drive, Excitation, Oscillator, Scales};
-use crate::machine::ratios::{Ratios, non_negative, positive, springless_exponent};
-use crate::machine::units::{InputError, Reader, System, scaled};
-use alloc::borrow::ToOwned;
-use alloc::format;
-use alloc::string::String;
-use alloc::string::ToString;
-use alloc::vec::Vec;
-use core::str::FromStr;
+use super::units::{InputError, Reader, System, scaled};
+use std::str::FromStr;
+use stickslip::internal::{non_negative, positive, springless_exponent};
+use stickslip::{Drive, Error, Excitation, Float, Number, Oscillator, Quantity, Ratios, Scales};
 
 /// The given inputs in one system of units, with the text of those that were typed.
 #[derive(Debug, Clone)]
@@ -467,7 +461,8 @@ impl<F: Float + FromStr> Given<F> {
         let (input, amplitude) = self.amplitude()?;
         match input.excitation() {
             Some(excitation) => Drive::new(excitation, amplitude, frequency),
-            None => Drive::with_force_ratio(body, amplitude, frequency),
+            None => positive(Quantity::ForceRatio, amplitude)
+                .and_then(|alpha| Drive::force(alpha * body.friction_bound(), frequency)),
         }
         .and_then(|drive| self.with_mean_force(drive))
         .map_err(|e| self.at_fault(&e))
@@ -527,7 +522,10 @@ impl<F: Float + FromStr> Given<F> {
             Ratios::new(or(Input::Omega, found.omega()), or(Input::Alpha, found.alpha()))?
                 .with_damping_ratio(or(Input::DampingRatio, found.damping_ratio()))?
                 .with_static_friction_ratio(or(Input::StaticFrictionRatio, found.static_friction_ratio()))
-                .map(|ratios| ratios.under(found.excitation()))
+                .map(|ratios| match found.excitation() {
+                    Some(excitation) => ratios.with_excitation(excitation),
+                    None => ratios,
+                })
         };
         let all = || {
             let (found, scales) = (drive.ratios(&oscillator)?, Scales::new(&oscillator, &drive)?);

@@ -1,12 +1,10 @@
 //! What is known of a machine in units: the given quantities, and those that follow from them.
 
 use super::{Driven, Given};
-use crate::float::Float;
-use crate::machine::input::{Input, Role};
-use crate::machine::oscillator::Excitation;
-use crate::machine::units::Kind;
-use alloc::vec::Vec;
-use core::str::FromStr;
+use crate::inputs::input::{Input, Role};
+use crate::inputs::units::Kind;
+use std::str::FromStr;
+use stickslip::{Excitation, Float};
 
 impl<F: Float + FromStr> Given<F> {
     /// The quantities of a machine that these inputs give, with their names and kinds. A friction or a drive that is given as
@@ -48,19 +46,19 @@ impl<F: Float + FromStr> Given<F> {
         add("force_amplitude", Kind::Force, p0);
         let amplitude = self.drive_as_given(drive.amplitude());
         match drive.excitation() {
-            Excitation::Force => {}
             Excitation::Unbalance => add("unbalance", Kind::Unbalance, amplitude),
             Excitation::FootMotion => add("foot_displacement", Kind::Length, amplitude),
             Excitation::DampedFootMotion => {
                 add("damped_foot_displacement", Kind::Length, amplitude);
                 add("lead_time", Kind::Time, drive.phase_lead(oscillator) * scales.time);
             }
-            Excitation::SurfaceMotion | Excitation::SurfaceVelocity | Excitation::SurfaceAcceleration => {
+            excitation if excitation.carries_surface() => {
                 let acceleration = p0 / oscillator.mass();
                 add("base_displacement", Kind::Length, acceleration * scales.time.square());
                 add("base_velocity", Kind::Velocity, acceleration * scales.time);
                 add("base_acceleration", Kind::Acceleration, acceleration);
             }
+            _ => {}
         }
         if has_spring {
             add("friction_displacement", Kind::Length, self.friction_as_given(scales.length));

@@ -1,15 +1,8 @@
 //! The answers in words, for the command and the page in the browser.
 
-use crate::cycle::regime::Regime;
-use crate::cycle::response::Response;
-use crate::float::Float;
-use crate::machine::oscillator::Excitation;
-use crate::machine::ratios::Ratios;
-use crate::motion::limit::observed::{Observed, observed};
-use crate::motion::{Attractor, LongRun, SteadyState};
-use alloc::borrow::ToOwned;
-use alloc::format;
-use alloc::string::{String, ToString};
+use stickslip::internal::{Observed, observed};
+use stickslip::motion::{Attractor, LongRun, SteadyState};
+use stickslip::{Excitation, Float, Ratios, Regime, Response};
 
 /// Seven significant digits at f64, without trailing zeros; all digits of a wider number.
 #[must_use]
@@ -208,16 +201,16 @@ pub fn origin<F: Float>(ratios: Ratios<F>, limit: &LongRun<F>) -> String {
 #[must_use]
 pub const fn base_motion(excitation: Excitation) -> Option<&'static str> {
     match excitation {
-        Excitation::Force | Excitation::Unbalance => None,
         Excitation::FootMotion => {
             Some("of the spring's support over a fixed surface: p₀ = k u₀, x over the surface")
         }
         Excitation::DampedFootMotion => Some(
             "of the support of spring and damper over a fixed surface: p₀ = √(k² + c²ω_d²) u₀, x over the surface",
         ),
-        Excitation::SurfaceMotion | Excitation::SurfaceVelocity | Excitation::SurfaceAcceleration => {
+        excitation if excitation.carries_surface() => {
             Some("of a base that carries the surface: p₀ = m ω_d² u₀, x relative to the base")
         }
+        _ => None,
     }
 }
 

@@ -1,13 +1,11 @@
 //! A friction or a drive of 0, which no ratio has.
 
 use super::Given;
-use crate::float::Float;
-use crate::machine::input::{Input, Role};
-use crate::machine::oscillator::{Drive, Oscillator};
-use crate::machine::units::InputError;
-use alloc::borrow::Cow;
-use alloc::string::String;
-use core::str::FromStr;
+use crate::inputs::input::{Input, Role};
+use crate::inputs::units::InputError;
+use std::borrow::Cow;
+use std::str::FromStr;
+use stickslip::{Drive, Float, Oscillator};
 
 impl<F: Float + FromStr> Given<F> {
     /// ε²: what takes the place of a 0, as a share far below the rounding of every motion.

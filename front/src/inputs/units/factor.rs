@@ -1,8 +1,7 @@
 //! The ratio of two units: a ratio of integers times a power of π.
 
-use crate::float::Float;
-use alloc::string::ToString;
-use core::str::FromStr;
+use std::str::FromStr;
+use stickslip::Float;
 
 /// The ratio of two units: `numerator/denominator · πⁿ`, in lowest terms.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,7 +1,7 @@
 //! The kind of a value: its dimension, and its usual units.
 
 /// Exponents of mass, length, time and angle.
-pub(super) type Dimension = [i8; 4];
+pub type Dimension = [i8; 4];
 
 /// One row for each kind: its dimension, its name, and the quantity with its usual units. Of two kinds of one
 /// dimension the first is that of a unit.
@@ -9,7 +9,6 @@ macro_rules! kinds {
     ($($(#[$doc:meta])+ $kind:ident $dimension:tt $name:literal $expected:literal;)*) => {
         /// The kind of a quantity, which determines the units of its values.
         #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-        #[non_exhaustive]
         pub enum Kind {
             $($(#[$doc])+ $kind,)*
         }
@@ -17,7 +16,9 @@ macro_rules! kinds {
         impl Kind {
             const ALL: [Self; [$($name),*].len()] = [$(Self::$kind),*];
 
-            pub(super) const fn dimension(self) -> Dimension {
+            /// The exponents of mass, length, time and angle.
+            #[must_use]
+            pub const fn dimension(self) -> Dimension {
                 match self {
                     $(Self::$kind => $dimension,)*
                 }
@@ -32,7 +33,8 @@ macro_rules! kinds {
             }
 
             /// The quantity with its usual units, for the error about another unit.
-            pub(super) const fn expected(self) -> &'static str {
+            #[must_use]
+            pub const fn expected(self) -> &'static str {
                 match self {
                     $(Self::$kind => $expected,)*
                 }
@@ -74,7 +76,8 @@ kinds! {
 
 impl Kind {
     /// The kind of a dimension, if there is one.
-    pub(super) fn of(dimension: Dimension) -> Option<Self> {
+    #[must_use]
+    pub fn of(dimension: Dimension) -> Option<Self> {
         Self::ALL.into_iter().find(|kind| kind.dimension() == dimension)
     }
 
@@ -86,7 +89,7 @@ impl Kind {
 
     /// Whether the number is the same in all systems of units.
     #[must_use]
-    pub(crate) const fn is_dimensionless(self) -> bool {
+    pub const fn is_dimensionless(self) -> bool {
         matches!(self, Self::Ratio | Self::Angle)
     }
 }

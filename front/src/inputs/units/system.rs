@@ -2,14 +2,11 @@
 
 use super::InputError;
 use super::factor::Factor;
-use super::kind::{Dimension, Kind};
 use super::table::{mass_of, symbol};
-use crate::float::Float;
-use alloc::borrow::ToOwned;
-use alloc::format;
-use alloc::string::String;
-use core::fmt;
-use core::str::FromStr;
+use std::fmt;
+use std::str::FromStr;
+use stickslip::Float;
+use stickslip::internal::{Dimension, Kind};
 
 /// A consistent system of units: one of force, one of length, and the second. Its mass is force · s²/length.
 /// The default is SI; others are read from a text such as `kN,mm`.
@@ -193,7 +190,7 @@ mod tests {
         assert_eq!(own.shown(Kind::Acceleration, 9806.65), 1.0);
         assert_eq!((own.shown(Kind::Length, 3.0), own.to_string()), (3.0, "kN,mm,g".to_owned()));
         assert_eq!(own.gravity::<f64>(), 9806.65);
-        let reader = crate::machine::units::Reader::new(Some(&own), "units");
+        let reader = crate::inputs::units::Reader::new(Some(&own), "units");
         let read = |text| reader.value::<f64>("a", text, Kind::Acceleration).unwrap();
         assert_eq!((read("0.5"), read("0.5g"), read("2mm/s^2")), (4903.325, 4903.325, 2.0));
         assert_eq!(System::perhaps_in_g("kN,mm").unwrap(), system("kN,mm"));

@@ -1,12 +1,7 @@
 //! The table of inputs.
 
-use crate::machine::error::Quantity;
-use crate::machine::oscillator::Excitation;
-use crate::machine::units::Kind;
-use alloc::borrow::ToOwned;
-use alloc::format;
-use alloc::string::String;
-use alloc::vec::Vec;
+use super::units::Kind;
+use stickslip::{Excitation, Quantity};
 
 /// The part of an input in a machine. The inputs of one role determine each other, so that one of them is given; only
 /// those of the body itself stand beside each other. A spring is given twice, by its stiffness and by the period or the

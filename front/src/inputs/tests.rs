@@ -1,8 +1,8 @@
 //! The rules of input, and the names of the inputs.
 
+use super::units::Reader;
 use super::{Driven, Given, Input, Naming, Role};
-use crate::machine::units::Reader;
-use crate::motion::record::Body;
+use stickslip::motion::record::Body;
 
 fn given(naming: Naming, typed: &[(Input, &str)]) -> Given<f64> {
     let reader = Reader::new(None, "units");
@@ -73,7 +73,7 @@ fn a_body_of_a_record_has_the_damper_of_the_oscillator() {
                 (Input::DampingRatio, &ratio),
             ];
             let given = given(Naming::Keyword, &typed);
-            let (body, oscillator) = (Body::given(&given, None).unwrap(), given.oscillator().unwrap());
+            let (body, oscillator) = (given.body(None).unwrap(), given.oscillator().unwrap());
             assert_eq!(body, Body::from(&oscillator));
             let own = oscillator.damping_ratio() / ratio.parse::<f64>().unwrap();
             // c and its quotient have a rounding each.

@@ -1,13 +1,13 @@
 //! Values with units, such as `800kg`, `2Hz` or `12 kN/mm`.
 //!
 //! ```
-//! use stickslip::inputs::units::{Kind, Reader};
+//! use stickslip_front::inputs::units::{Kind, Reader};
 //! let reader = Reader::new(None, "units");
 //! let stiffness: f64 = reader.value("stiffness", "12 kN/mm", Kind::Stiffness)?;
 //! assert_eq!(stiffness, 12e6);
 //! let error = reader.value::<f64>("mass", "3 s", Kind::Mass).unwrap_err();
 //! assert_eq!(error.to_string(), "mass 3 s: must be a mass (kg, g, t, lb), but “s” is a unit of time");
-//! # Ok::<(), stickslip::inputs::units::InputError>(())
+//! # Ok::<(), stickslip_front::inputs::units::InputError>(())
 //! ```
 //!
 //! Every unit is a ratio of two integers times a power of π, in SI base units with the radian, so that a
@@ -15,20 +15,16 @@
 //! constants, which would reduce a number of 1024 bits to 53, and its hertz and rad/s do not differ by 2π.
 
 mod factor;
-mod kind;
 mod system;
 mod table;
 
-use alloc::borrow::ToOwned;
-use alloc::format;
-use alloc::string::String;
 pub use factor::Factor;
-pub use kind::Kind;
+pub use stickslip::internal::Kind;
 pub use system::System;
 
-use crate::float::Float;
-use core::cell::RefCell;
-use core::str::FromStr;
+use std::cell::RefCell;
+use std::str::FromStr;
+use stickslip::{Float, Number};
 use table::Unit;
 
 /// The error of an input: the argument, its text, and the condition that it violates.
@@ -233,12 +229,14 @@ pub fn scaled(text: &str, factor: f64) -> Option<String> {
     let value = digits.parse::<f64>().ok()? * factor;
     // Six digits are enough for a bound, which the caller has exactly.
     let rounded: f64 = format!("{value:.5e}").parse().ok()?;
-    Some(format!("{} {unit}", crate::machine::error::written(rounded)).trim_end().to_owned())
+    Some(format!("{} {unit}", Number::from(rounded)).trim_end().to_owned())
 }
 
 #[cfg(test)]
 mod tests {
     use super::{Kind, Reader, split};
+    #[cfg(feature = "mp")]
+    use stickslip::Float;
 
     fn si(text: &str, kind: Kind) -> Result<f64, String> {
         Reader::new(None, "--units kN,m").value("--x", text, kind).map_err(|e| e.to_string())
@@ -368,11 +366,11 @@ mod tests {
     #[cfg(feature = "mp")]
     #[test]
     fn a_unit_costs_no_digits_of_a_wide_number() {
-        type Wide = crate::float::mp::Mp<4>;
+        type Wide = stickslip::float::Mp<4>;
         let read =
             |text: &str, kind| Reader::new(None, "--units kN,m").value::<Wide>("--x", text, kind).unwrap();
         let (g, pound) = (read("0.15g", Kind::Acceleration), read("3lb", Kind::Mass));
-        let close = |a: Wide, b: Wide| ((a - b) / b).to_f64().abs() < 1e-75;
+        let close = |a: Wide, b: Wide| Float::to_f64((a - b) / b).abs() < 1e-75;
         assert!(close(g, "1.4709975".parse().unwrap()), "{g}");
         assert!(close(pound, "1.36077711".parse().unwrap()), "{pound}");
     }
