@@ -23,8 +23,8 @@ mod reduction;
 mod slope;
 mod value;
 
-use crate::float::pair::Pair;
 use crate::float::Float;
+use crate::float::pair::Pair;
 use crate::machine::error::Error;
 use crate::machine::ratios::frequency_ratio;
 use cotangent::cotangent_defect;
