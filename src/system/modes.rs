@@ -34,7 +34,7 @@ impl<F: Float> System<F> {
                         add_times(stiffness.row_mut(i), b * *own, &part.direction);
                     }
                 }
-                Rule::Stop { .. } => {}
+                Rule::Stop { .. } | Rule::Hard { .. } => {}
                 _ => {
                     let mut c = root.of(&part.direction);
                     let size = dot(&c, &c).sqrt();
