@@ -6,9 +6,9 @@ use crate::figure::Target;
 use crate::input;
 use crate::steady::of_motion;
 use std::io::Write;
-use stickslip::inputs::units::Kind;
 use stickslip::motion::{Instant, LongRun, Trajectory};
-use stickslip_figures::{Axis, Figure, Panel, Series, Style};
+use stickslip_draw::{Axis, Figure, Panel, Series, Style};
+use stickslip_front::inputs::units::Kind;
 
 /// The number of samples in a cycle.
 const PER_CYCLE: u32 = 600;
@@ -27,7 +27,7 @@ pub(crate) fn run(args: &MotionPlotArgs, out: &mut impl Write) -> Outcome {
         let scale = point.machine.as_ref().map_or(1.0, |m| m.scales.length);
         let unit = if point.machine.is_some() { given.system.length() } else { "B" };
         let length = |x: f64| format!("{} {unit}", crate::bits::digits(x * scale));
-        let verdict = stickslip::words::limit(point.ratios, &limit, length, "");
+        let verdict = stickslip_front::words::limit(point.ratios, &limit, length, "");
         return Err(format!("motion-plot: there is no periodic motion to draw. {verdict}").into());
     };
     let samples: Vec<Instant<f64>> = Trajectory::new(point.ratios, steady.state)

@@ -3,7 +3,7 @@
 use crate::asked::Asked;
 use serde_json::{Map, Value, json};
 use std::path::Path;
-use stickslip::inputs::units::Kind;
+use stickslip_front::inputs::units::Kind;
 use stickslip_front::system::{
     Answer, Description, NamedSystem, OfBorder, Samples, border_verdict, parsed, steady_verdict,
 };
@@ -55,7 +55,10 @@ pub(crate) fn system(asked: &Asked<'_>) -> Result<Value, String> {
         let until: f64 = system.reader().value("until", text, Kind::Time)?;
         system.check_until(until, &format!("until {text}"))?;
         let motion = engine.simulate(&described.start, until).map_err(failed)?;
-        add("verdict", json!(format!("The motion from the start to {} s.", stickslip::words::digits(until))));
+        add(
+            "verdict",
+            json!(format!("The motion from the start to {} s.", stickslip_front::words::digits(until))),
+        );
         add("motion", as_json(&Answer::transient(described, &motion))?);
         add("samples", samples(&described.start, until)?);
     } else {

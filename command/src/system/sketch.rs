@@ -4,8 +4,8 @@
 use crate::bits::digits;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
-use stickslip::inputs::units::Kind as Of;
 use stickslip::system::{Element, Kind, Law};
+use stickslip_front::inputs::units::Kind as Of;
 use stickslip_front::system::Described;
 use stickslip_front::text::printable;
 

@@ -6,8 +6,8 @@ use crate::failure::Outcome;
 use crate::note::line;
 use crate::output;
 use std::io::Write;
-use stickslip::inputs::units::{Kind as Of, System as Units};
 use stickslip::system::{Beyond, Border, Cycle, Element, Kind, Law, Motion, MovedBy, Steady, SteadyKind};
+use stickslip_front::inputs::units::{Kind as Of, System as Units};
 use stickslip_front::system::{
     Described, Description, NamedSystem, border_verdict, frequency_of, kind_of, plural, sliding_verdict,
     steady_verdict, with_unit,

@@ -1,8 +1,8 @@
 //! The answers about a system, as JSON has them.
 
 use super::described::Described;
+use crate::inputs::units::{Kind as Of, System};
 use serde::Serialize;
-use stickslip::inputs::units::{Kind as Of, System};
 use stickslip::system::{Border, Cycle, Element, Kind, Motion, State, Steady};
 
 /// Displacements and velocities.

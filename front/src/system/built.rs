@@ -3,11 +3,11 @@
 use super::described::{Described, base_of, shake};
 use super::node::nearest;
 use super::{file, named};
+use crate::inputs::units::{Kind, Reader, System as Units};
 use serde_json::Value;
 use std::f64::consts::TAU;
 use std::path::Path;
 use stickslip::Excitation;
-use stickslip::inputs::units::{Kind, Reader, System as Units};
 use stickslip::motion::record::{After, Record};
 use stickslip::system::{Beyond, Error, Level, Model, Record as Samples, System};
 
@@ -164,7 +164,7 @@ impl NamedSystem {
         let found = self.system.first_passage(&self.described.start, level, latest);
         found.map_err(|e| e.to_string())?.ok_or_else(|| {
             let unit = if self.described.units.is_some() { " s" } else { "" };
-            let latest = stickslip::words::digits(latest);
+            let latest = crate::words::digits(latest);
             format!("{typed}: must be passed within {latest}{unit}, {steps} steps of the fastest motion, but is not")
         })
     }
@@ -183,7 +183,7 @@ impl NamedSystem {
             return Ok(());
         }
         let unit = if self.described.units.is_some() { " s" } else { "" };
-        let most = stickslip::words::digits(most);
+        let most = crate::words::digits(most);
         let steps = if steps == MOST_STEPS { "10⁶".to_owned() } else { steps.to_string() };
         Err(format!("{typed}: must be ≤ {most}{unit}, {steps} steps of the fastest motion"))
     }

@@ -1,7 +1,7 @@
 //! A system as its file describes it, and the parts that bodies by name and matrices share.
 
 use super::node::{Fields, Node};
-use stickslip::inputs::units::System as Units;
+use crate::inputs::units::System as Units;
 use stickslip::system::{Base, Law, Model, Signal, State};
 
 /// The greatest number of coordinates: the matrices are dense.

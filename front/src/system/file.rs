@@ -6,10 +6,10 @@ use super::described::{
 use super::named;
 use super::node::{Fields, Node, nearest};
 use super::unique::Unique;
+use crate::inputs::units::{Kind as Of, Reader, System as Units};
 use crate::text::of_bytes;
 use serde_json::Value;
 use std::path::Path;
-use stickslip::inputs::units::{Kind as Of, Reader, System as Units};
 use stickslip::system::{Beyond, Element, Harmonic, Kind, Law, Model, Normal, Record, Signal, State};
 
 /// The greatest length of a file in bytes: three matrices of the most coordinates in full digits are 3 MB.

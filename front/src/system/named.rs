@@ -4,9 +4,9 @@ use super::builder::Builder;
 use super::described::{Described, MOST_COORDINATES, MOST_ELEMENTS, base_of, law, peak};
 use super::node::{Fields, Node, check_name, nearest};
 use super::signals::{NEEDS, add as plus};
+use crate::inputs::units::{Kind as Of, System as Units};
 use serde_json::Value;
 use std::path::Path;
-use stickslip::inputs::units::{Kind as Of, System as Units};
 use stickslip::system::{Base, Element, Kind, Law, Level, Model, Moved, MovedBy, Normal, Signal, State};
 
 /// The name of the ground.

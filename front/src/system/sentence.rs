@@ -3,10 +3,10 @@
 use super::answer::kind_of;
 use super::described::Described;
 use super::description::OfSliding;
+use crate::inputs::units::{Kind as Of, System as Units};
+use crate::words::digits;
 use std::f64::consts::TAU;
-use stickslip::inputs::units::{Kind as Of, System as Units};
 use stickslip::system::{Border, GREATEST_COEFFICIENT, Steady, SteadyKind};
-use stickslip::words::digits;
 
 /// One of a thing in words, or several in digits.
 #[must_use]
@@ -134,7 +134,11 @@ fn drift_sentence(described: &Described, found: &Steady<f64>) -> String {
 #[must_use]
 pub fn border_verdict(described: &Described, found: &Border<f64>) -> String {
     let contact = described.model.elements.iter().find(|element| kind_of(element) == "contact");
-    let contact = contact.map_or("", |element| element.name.as_str());
+    // A contact that is called so needs no second name.
+    let contact = match contact.map_or("", |element| element.name.as_str()) {
+        "" | "contact" => "the contact".to_owned(),
+        name => format!("the contact {name}"),
+    };
     let part = |list: &[f64], i: usize| list.get(i).copied().unwrap_or(0.0);
     let is_loaded =
         |i: usize| described.model.harmonics.iter().any(|h| part(&h.sin, i) != 0.0 || part(&h.cos, i) != 0.0);
@@ -153,9 +157,12 @@ pub fn border_verdict(described: &Described, found: &Border<f64>) -> String {
     };
     let least = digits(found.least_load_factor);
     match found.least_load_factor_from_rest {
-        None => format!("The contact {contact} never sticks if {load} is at least {least} times this one."),
+        None => {
+            let contact = contact.replacen('t', "T", 1);
+            format!("{contact} never sticks if {load} is at least {least} times this one.")
+        }
         Some(release) => format!(
-            "Once it slides, the contact {contact} never sticks if {load} is at least {least} times this one. From rest it starts to slide \
+            "Once it slides, {contact} never sticks if {load} is at least {least} times this one. From rest it starts to slide \
              if {load} is at least {} times this one.",
             digits(release)
         ),

@@ -3,12 +3,12 @@
 use super::builder::Builder;
 use super::described::{MOST_FREQUENCIES, MOST_RECORDS, MOST_SAMPLES};
 use super::node::{Fields, Node, nearest};
+use crate::inputs::units::Kind as Of;
 use crate::record::{self, Options, Words};
 use crate::text::{of_bytes, open_regular};
 use std::f64::consts::TAU;
 use std::io::{BufReader, Read};
 use stickslip::Excitation;
-use stickslip::inputs::units::Kind as Of;
 use stickslip::motion::record::{After, Record as Measured};
 use stickslip::system::{Beyond, Harmonic, MovedBy, Record, Signal};
 
