@@ -118,6 +118,12 @@ impl<F: Float> Friction<F> {
         if !given.records.is_empty() {
             return Err(unsupported("records", "must be absent: the closed form is that of a harmonic load"));
         }
+        if !given.massless.is_empty() {
+            return Err(unsupported(
+                "mass",
+                "must be > 0 at each coordinate: the closed form is that of bodies with mass",
+            ));
+        }
         let (n, frequency) = (given.n, *frequency);
         let constant: Vec<F> = given.load.rows().filter_map(|row| row.last().copied()).collect();
         let (shift, missing) = given.stiffness.solved(&constant);
