@@ -7,7 +7,7 @@ use crate::input;
 use crate::steady::of_motion;
 use std::io::Write;
 use stickslip::motion::{Instant, LongRun, Trajectory};
-use stickslip_figures::{Axis, Figure, Panel, Series, Style};
+use stickslip_draw::{Axis, Figure, Panel, Series, Style};
 use stickslip_front::inputs::units::Kind;
 
 /// The number of samples in a cycle.
