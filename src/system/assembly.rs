@@ -104,6 +104,10 @@ pub(crate) struct Assembly<F> {
     pub(crate) frequencies: Vec<F>,
     pub(crate) records: Vec<Record<F>>,
     pub(crate) moved: Vec<Driven<F>>,
+    /// The coordinates without mass that are not moved.
+    pub(crate) massless: Vec<usize>,
+    /// The names of coordinates, as far as they have one.
+    pub(crate) names: Vec<String>,
     /// The rows of the quantities of the levels, less their values.
     pub(crate) levels: Vec<Vec<F>>,
     /// Whether a sample of a record may change a velocity at once.
@@ -124,7 +128,7 @@ impl<F: Float> Assembly<F> {
         let mass = square("mass", &model.mass, n, true)?;
         let damping = square("damping", &model.damping, n, false)?;
         let stiffness = square("stiffness", &model.stiffness, n, false)?;
-        let inverse_mass = inverse(&mass, &model.moved)?;
+        let inverse_mass = inverse(&mass, &model.moved, &massless(model))?;
         let elastic = model.elements.iter().filter(|e| matches!(e.kind, Kind::Elastic { .. })).count();
         let free = 2 * n + elastic;
         let inputs = free + 2 * model.harmonics.len();
@@ -164,6 +168,8 @@ impl<F: Float> Assembly<F> {
             frequencies: model.harmonics.iter().map(|h| h.frequency).collect(),
             records: model.records.clone(),
             moved: Vec::new(),
+            massless: massless(model),
+            names: model.coordinates.clone(),
             levels: Vec::new(),
             jerks: false,
             base: Vec::new(),
@@ -199,6 +205,11 @@ impl<F: Float> Assembly<F> {
             row.get(places).is_some_and(|row| row.iter().any(|&x| x != F::int(0)))
         };
         assembly.jerks = assembly.parts.iter().any(|part| by_records(&part.velocity))
+            || assembly.massless.iter().any(|&i| by_records(assembly.load.row(i)))
+            || assembly
+                .parts
+                .iter()
+                .any(|part| assembly.is_light(part) && part.normal().is_some_and(by_records))
             || assembly.moved.iter().any(|moved| moved.velocity.as_deref().is_some_and(by_records));
         let count = assembly.parts.len();
         let mut coupling = Matrix::zero(count, count);
@@ -217,6 +228,9 @@ impl<F: Float> Assembly<F> {
                 condition: "must have at most 14 contacts and stops with a restitution whose directions depend on each other, parallel \
                             ones counted once, or 20000 connected sets of bodies where each of them joins two",
             });
+        }
+        if !assembly.massless.is_empty() {
+            assembly.check_massless()?;
         }
         Ok(assembly)
     }
@@ -459,8 +473,16 @@ fn share<F: Float>(name: &str, value: F) -> Result<F, Error> {
     Err(Error::Unsupported { name, condition: "must be ≤ 1" })
 }
 
-/// M⁻¹, without the coordinates that are moved: no force accelerates them.
-fn inverse<F: Float>(mass: &Matrix<F>, moved: &[Moved<F>]) -> Result<Matrix<F>, Error> {
+/// The coordinates without mass that are not moved.
+fn massless<F: Float>(model: &Model<F>) -> Vec<usize> {
+    let is_moved = |i: usize| model.moved.iter().any(|moved| moved.coordinate == i);
+    let rows = model.mass.iter().enumerate();
+    let light = rows.filter(|(i, row)| !is_moved(*i) && row.iter().all(|x| *x == F::int(0)));
+    light.map(|(i, _)| i).collect()
+}
+
+/// M⁻¹, without the coordinates that are moved, which no force accelerates, and those without mass, which have no acceleration of their own.
+fn inverse<F: Float>(mass: &Matrix<F>, moved: &[Moved<F>], massless: &[usize]) -> Result<Matrix<F>, Error> {
     let n = mass.columns();
     let mut definite = mass.clone();
     let places = || moved.iter().map(|moved| moved.coordinate).filter(|&i| i < n);
@@ -474,10 +496,13 @@ fn inverse<F: Float>(mass: &Matrix<F>, moved: &[Moved<F>]) -> Result<Matrix<F>, 
         at_least(&place("mass", i), mass.at(i, i), F::int(0))?;
         definite.set(i, i, F::int(1));
     }
+    for &i in massless {
+        definite.set(i, i, F::int(1));
+    }
     let mut inverse = definite
         .inverse_of_definite()
         .map_err(|(row, value)| Error::NotDefinite { row: row + 1, value: written(value) })?;
-    places().for_each(|i| inverse.set(i, i, F::int(0)));
+    places().chain(massless.iter().copied()).for_each(|i| inverse.set(i, i, F::int(0)));
     Ok(inverse)
 }
 

@@ -17,6 +17,7 @@ use super::assembly::{Assembly, Part, Piece, Rule};
 use super::dependent::facets;
 use super::equation::{Equation, Mode, fastest, pressing, sign};
 use super::first_passage::{bernstein_of_rows, integer};
+use super::massless::Tie;
 use super::matrix::{Matrix, Sparse, add_times, dot, is_small};
 use super::propagator::{Bound, Propagator, exponential};
 use crate::float::Float;
@@ -116,6 +117,8 @@ pub(crate) struct Branch<F> {
     pub(crate) hull: Hull<F>,
     /// The row of each element's force.
     pub(crate) tension: Vec<Vec<F>>,
+    /// What coordinates without mass do, if there are any.
+    pub(crate) tie: Option<Tie<F>>,
 }
 
 impl<F: Float> Hull<F> {
@@ -221,7 +224,7 @@ impl<F: Float> Branch<F> {
     where
         F: 'b,
     {
-        let Equation { a, tension, stuck, slips } = Equation::new(system, modes);
+        let Equation { a, tension, stuck, slips, tie } = Equation::new(system, modes);
         let degree = degree_of_full_accuracy::<F>();
         let transposed = a.transposed();
         // As where a contact slides the other way.
@@ -237,6 +240,7 @@ impl<F: Float> Branch<F> {
         let powers = Series { transposed: &transposed, step, bound: &bound, degree };
         let mut guards = guards(system, modes, &tension, slips);
         guards.extend(releases(system, &stuck, &tension));
+        guards.iter_mut().for_each(|guard| tie.iter().for_each(|tie| tie.substitute(&mut guard.row)));
         let mut low = Vec::with_capacity(guards.len());
         let mut all = Vec::with_capacity(guards.len());
         for guard in &mut guards {
@@ -257,7 +261,21 @@ impl<F: Float> Branch<F> {
         let mut terms = is_small::<F>(system.size).then(|| Propagator::zero(0, 0));
         let whole = Propagator::new(&transposed, system.free, step, degree, terms.as_mut());
         let modes = modes.to_vec();
-        Self { modes, a, transposed, step, whole, terms, bound, degree, guards, speed_errors, hull, tension }
+        Self {
+            modes,
+            a,
+            transposed,
+            step,
+            whole,
+            terms,
+            bound,
+            degree,
+            guards,
+            speed_errors,
+            hull,
+            tension,
+            tie,
+        }
     }
 
     /// Its memory in bytes.

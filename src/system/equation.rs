@@ -1,6 +1,7 @@
 //! The linear equation of a branch, `z′ = A z`, with the forces of all elements, and the greatest rate in it.
 
 use super::assembly::{Assembly, Part, Rule, unit};
+use super::massless::Tie;
 use super::matrix::{Matrix, Sparse, add_times, entries};
 use crate::float::Float;
 use alloc::vec;
@@ -45,6 +46,8 @@ pub(crate) struct Equation<F> {
     pub(crate) stuck: Vec<usize>,
     /// The row of the velocity of the slider of each elastic contact that yields, in its direction: `s v − (r N)′/k`.
     pub(crate) slips: Vec<Vec<F>>,
+    /// What coordinates without mass do, if there are any.
+    pub(crate) tie: Option<Tie<F>>,
 }
 
 impl<F: Float> Equation<F> {
@@ -61,9 +64,14 @@ impl<F: Float> Equation<F> {
             }
             apply(&mut force, &part.direction, tension);
         }
+        let tie = (!system.massless.is_empty()).then(|| Tie::new(system, modes, &stuck, &force));
         let inverse = inverse_by_shares(system, &stuck);
         // The second round takes out the rounding of the first, which would set what is stuck in motion after a long time.
         for _ in 0..if stuck.is_empty() { 0 } else { 3 } {
+            if let Some(tie) = &tie {
+                tie.hold(system, &stuck, &mut force, &mut tension);
+                continue;
+            }
             let left: Vec<Vec<F>> = stuck
                 .iter()
                 .filter_map(|&i| system.parts.get(i))
@@ -81,6 +89,10 @@ impl<F: Float> Equation<F> {
                 }
             }
         }
+        if let Some(tie) = &tie {
+            (0..n).for_each(|i| tie.substitute(force.row_mut(i)));
+            tension.iter_mut().for_each(|row| tie.substitute(row));
+        }
         let mut free = Matrix::zero(system.free, size);
         for i in 0..n {
             free.set(i, n + i, F::int(1));
@@ -90,13 +102,21 @@ impl<F: Float> Equation<F> {
         for driven in &system.moved {
             free.row_mut(n + driven.coordinate).copy_from_slice(&driven.acceleration);
         }
+        for &(slot, ref row) in tie.iter().flat_map(Tie::rows) {
+            free.row_mut(slot - n).copy_from_slice(row);
+        }
+        let velocity = |part: &Part<F>| {
+            let mut row = part.velocity.clone();
+            tie.iter().for_each(|tie| tie.substitute(&mut row));
+            row
+        };
         let mut slips = vec![Vec::new(); modes.len()];
         for ((part, mode), slip) in system.parts.iter().zip(modes).zip(&mut slips) {
             let Rule::Elastic { stiffness, place, bound, normal } = &part.rule else { continue };
             match mode {
-                Mode::Holds => add_times(free.row_mut(*place), *stiffness, &part.velocity),
+                Mode::Holds => add_times(free.row_mut(*place), *stiffness, &velocity(part)),
                 Mode::Yields { forward } => {
-                    *slip = part.velocity.iter().map(|&v| sign::<F>(*forward) * v).collect();
+                    *slip = velocity(part).into_iter().map(|v| sign::<F>(*forward) * v).collect();
                     if normal.is_some() {
                         let mut rate = system.derivative(bound);
                         for (i, &by) in bound.iter().enumerate().take(2 * n) {
@@ -111,6 +131,14 @@ impl<F: Float> Equation<F> {
                 Mode::Stuck | Mode::Slides { .. } | Mode::Apart => {}
                 Mode::Away | Mode::Pressed | Mode::Lifted | Mode::Resting => {}
             }
+        }
+        // The velocities of what has no mass change as those that they follow from.
+        for &(slot, ref row) in tie.iter().flat_map(Tie::rows) {
+            let mut rate = system.derivative(row);
+            for (&by, row) in row.iter().zip(free.rows()).filter(|(by, _)| **by != zero) {
+                add_times(&mut rate, by, row);
+            }
+            free.row_mut(slot).copy_from_slice(&rate);
         }
         let mut given = vec![Vec::new(); size - system.free];
         let mut set = |row: usize, column: usize, value: F| {
@@ -128,7 +156,7 @@ impl<F: Float> Equation<F> {
             set(place, place + 1, F::int(1));
         }
         let rows = free.rows().map(entries).chain(given);
-        Self { a: Sparse::new(size, rows), tension, stuck, slips }
+        Self { a: Sparse::new(size, rows), tension, stuck, slips, tie }
     }
 }
 

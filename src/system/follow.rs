@@ -9,6 +9,7 @@ use super::error::Error;
 use super::events::{Event, EventKind, Stretch, Watch};
 use super::first_passage::first_passage;
 use super::kept::Kept;
+use super::massless;
 use super::matrix::{Sum, absolute, add_times, dot, size_of_dot};
 use super::model::State;
 use super::next_branch::{AtRest, at_rest, decide, follows};
@@ -235,6 +236,13 @@ impl<'a, F: Float> Follower<'a, F> {
             self.set_sample();
             return Ok(());
         }
+        if !self.system.massless.is_empty() {
+            let old = self.branch().map_or_else(Vec::new, |branch| branch.modes.clone());
+            self.set_sample();
+            let modes = self.choose()?;
+            self.tell(&old, &modes, &[], None, watch);
+            return Ok(());
+        }
         let speeds =
             |z: &[F]| -> Vec<F> { self.system.parts.iter().map(|part| dot(&part.velocity, z)).collect() };
         let before = speeds(&self.z);
@@ -260,11 +268,67 @@ impl<'a, F: Float> Follower<'a, F> {
     fn begin(&mut self) -> Result<(), Error> {
         self.kept.clear();
         self.blows.clear();
+        if !self.system.massless.is_empty() {
+            // Where it changes which stops are in touch, there is another balance.
+            for _ in 0..8 {
+                let (modes, resting) = self.modes_of_state()?;
+                let open = massless::open(self.system, &modes, &resting);
+                massless::balance(self.system, &mut self.z, &modes, &open);
+                if self.modes_of_state()?.0 == modes {
+                    break;
+                }
+            }
+        }
         self.choose().map(|_| ())
+    }
+
+    /// Decides what acts on coordinates without mass, and the contacts at rest, and enters the branch: `first` are the modes to
+    /// be taken where they are consistent.
+    fn choose_light(&mut self, first: &[Vec<Mode>], resting: &[usize]) -> Result<Vec<Mode>, Error> {
+        let system = self.system;
+        let open = massless::open(system, first.first().map_or(&[], Vec::as_slice), resting);
+        let found = massless::decide(system, &mut self.branches, &self.z, first, &open);
+        let (modes, z) = found.map_err(|free| match free {
+            Some(coordinate) => system.without_mass(
+                coordinate,
+                "is held neither by a spring or damper nor by a contact that sticks: give it one of these, or a mass",
+            ),
+            None => self.undecided(open.first().copied().unwrap_or(0)),
+        })?;
+        self.z = z;
+        self.enter(&modes);
+        Ok(modes)
     }
 
     /// Chooses the branch by the state alone, and enters it.
     fn choose(&mut self) -> Result<Vec<Mode>, Error> {
+        let (mut modes, resting) = self.modes_of_state()?;
+        if !self.system.massless.is_empty() {
+            let present = self.branch().map(|branch| branch.modes.clone());
+            let first: Vec<Vec<Mode>> = present.into_iter().chain([modes]).collect();
+            return self.choose_light(&first, &resting);
+        }
+        self.settle(&mut modes, resting.clone(), &[], true)?;
+        self.enter(&modes);
+        // A velocity that is zero but for rounding is told by the size that it could have within a step.
+        let mut resting = resting;
+        let mut still = Vec::new();
+        for (i, mode) in modes.iter().enumerate() {
+            if !resting.contains(&i) && self.may_rest(i, *mode) {
+                still.push(i);
+            }
+        }
+        if !still.is_empty() {
+            resting.extend(still);
+            resting.sort_unstable();
+            self.settle(&mut modes, resting, &[], true)?;
+            self.enter(&modes);
+        }
+        Ok(modes)
+    }
+
+    /// The modes by the state alone, with the contacts at rest; those at coordinates without mass are not decided.
+    fn modes_of_state(&mut self) -> Result<(Vec<Mode>, Vec<usize>), Error> {
         let mut modes = Vec::with_capacity(self.system.parts.len());
         let mut resting = Vec::new();
         for (i, part) in self.system.parts.iter().enumerate() {
@@ -292,6 +356,8 @@ impl<'a, F: Float> Follower<'a, F> {
                 Rule::Contact { .. } => {
                     if is_apart {
                         Mode::Apart
+                    } else if self.system.is_light(part) {
+                        Mode::Stuck
                     } else if still {
                         resting.push(i);
                         Mode::Stuck
@@ -329,22 +395,7 @@ impl<'a, F: Float> Follower<'a, F> {
                 }
             });
         }
-        self.settle(&mut modes, resting.clone(), &[], true)?;
-        self.enter(&modes);
-        // A velocity that is zero but for rounding is told by the size that it could have within a step.
-        let mut still = Vec::new();
-        for (i, mode) in modes.iter().enumerate() {
-            if !resting.contains(&i) && self.may_rest(i, *mode) {
-                still.push(i);
-            }
-        }
-        if !still.is_empty() {
-            resting.extend(still);
-            resting.sort_unstable();
-            self.settle(&mut modes, resting, &[], true)?;
-            self.enter(&modes);
-        }
-        Ok(modes)
+        Ok((modes, resting))
     }
 
     /// Whether an element in motion may come to rest here: a contact that slides, or a body at a stop that gives no way, without a velocity
@@ -683,9 +734,13 @@ impl<'a, F: Float> Follower<'a, F> {
         let is_resting = |(i, mode): (usize, &Mode)| mode.is_held() || self.may_rest(i, *mode);
         let resting: Vec<usize> =
             modes.iter().enumerate().filter(|one| is_resting(*one)).map(|one| one.0).collect();
-        let arrives =
-            strike.is_some() || resting.iter().any(|&i| !before.get(i).is_some_and(|m| m.is_held()));
-        self.settle(&mut modes, resting, &released, arrives)?;
+        if system.massless.is_empty() {
+            let arrives =
+                strike.is_some() || resting.iter().any(|&i| !before.get(i).is_some_and(|m| m.is_held()));
+            self.settle(&mut modes, resting, &released, arrives)?;
+        } else {
+            modes = self.choose_light(&[modes, before.clone()], &resting)?;
+        }
         if strike.is_none() {
             self.blows.disturb();
         }

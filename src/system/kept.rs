@@ -70,12 +70,15 @@ impl<F: Float> Kept<F> {
         let n = system.n;
         let stuck: Vec<usize> =
             (0..branch.modes.len()).filter(|&i| branch.modes.get(i).is_some_and(|m| m.is_held())).collect();
-        at_rest(system, z, &stuck);
+        match &branch.tie {
+            Some(tie) => tie.project(system, &branch.modes, z),
+            None => at_rest(system, z, &stuck),
+        }
         let mut apart = Vec::new();
         let mut held = Vec::new();
         for i in stuck {
             if let (Some(part), Some(Some(number))) = (system.parts.get(i), self.numbers.get(i))
-                && let Some(stretch) = &part.stretch
+                && let Some(stretch) = part.stretch.as_ref().filter(|_| !system.is_light(part))
             {
                 apart.push(dot(stretch, z) - *number);
                 held.push(i);

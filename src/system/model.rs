@@ -11,7 +11,9 @@ use alloc::vec::Vec;
 /// checked before [`System::new`](super::System::new).
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Model<F> {
-    /// M by rows: symmetric and positive definite.
+    /// The names of the coordinates, which errors use; their places where it is empty.
+    pub coordinates: Vec<String>,
+    /// M by rows: symmetric and positive definite, but for coordinates whose row is 0. These have no mass: their forces balance.
     pub mass: Vec<Vec<F>>,
     /// C by rows.
     pub damping: Vec<Vec<F>>,

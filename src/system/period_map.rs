@@ -249,7 +249,10 @@ impl<'a, F: Float> PeriodMap<'a, F> {
             if let Some(one) = column.get_mut(i) {
                 *one = F::int(1);
             }
-            super::next_branch::at_rest(system, &mut column, &held);
+            match self.follower.branch().and_then(|branch| branch.tie.as_ref()) {
+                Some(tie) => tie.project(system, modes, &mut column),
+                None => super::next_branch::at_rest(system, &mut column, &held),
+            }
             place_at_gap(system, &mut column, &touching);
             for (part, mode) in system.parts.iter().zip(modes) {
                 let Rule::Elastic { place, bound, .. } = &part.rule else { continue };

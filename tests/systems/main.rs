@@ -17,6 +17,7 @@ mod generator;
 mod grid;
 mod impacts;
 mod long_run;
+mod massless;
 mod one_body;
 #[cfg(feature = "mp")]
 mod precise;

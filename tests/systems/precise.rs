@@ -76,6 +76,7 @@ fn model<F: Float>(given: &Model<f64>) -> Model<F> {
     };
     let moved = |m: &Moved<f64>| Moved { coordinate: m.coordinate, by: m.by, signal: signal(&m.signal) };
     Model {
+        coordinates: Vec::new(),
         mass: rows(&given.mass),
         damping: rows(&given.damping),
         stiffness: rows(&given.stiffness),

@@ -227,6 +227,10 @@ const LISTED: usize = 24;
 pub(super) fn motion(described: &Described, motion: &Motion<f64>, out: &mut impl Write) -> Outcome {
     let unit =
         |kind: Of| described.units.map_or_else(String::new, |system| format!(" {}", system.name(kind)));
+    // What is below the rounding of the works has no digit that is right.
+    let works: f64 = motion.elements.iter().map(|found| found.work.abs()).sum();
+    let least = 1e-12 * (works + motion.load_work.abs() + motion.damper_work.abs());
+    let work = |x: f64| format!("{}{}", digits(if x.abs() < least { 0.0 } else { x }), unit(Of::Energy));
     let (length, velocity) = (unit(Of::Length), unit(Of::Velocity));
     for (i, name) in described.coordinates.iter().enumerate() {
         let at = |list: &[f64]| list.get(i).copied().map_or_else(String::new, digits);
@@ -254,16 +258,12 @@ pub(super) fn motion(described: &Described, motion: &Motion<f64>, out: &mut impl
         if is_hard(element) {
             line(out, "blows", digits(found.blows as f64))?;
         }
-        line(out, "work", format!("{}{}", digits(found.work), unit(Of::Energy)))?;
+        line(out, "work", work(found.work))?;
     }
     writeln!(out, "energy")?;
-    line(out, "work of the loads", format!("{}{}", digits(motion.load_work), unit(Of::Energy)))?;
-    line(out, "work on the dampers", format!("{}{}", digits(motion.damper_work), unit(Of::Energy)))?;
-    // What is below the rounding of the works has no digit that is right.
-    let works: f64 = motion.elements.iter().map(|found| found.work.abs()).sum();
-    let least = 1e-12 * (works + motion.load_work.abs() + motion.damper_work.abs());
-    let stored = if motion.stored.abs() < least { 0.0 } else { motion.stored };
-    line(out, "stored", format!("{}{}", digits(stored), unit(Of::Energy)))?;
+    line(out, "work of the loads", work(motion.load_work))?;
+    line(out, "work on the dampers", work(motion.damper_work))?;
+    line(out, "stored", work(motion.stored))?;
     if motion.events.is_empty() {
         return Ok(writeln!(out, "no events")?);
     }

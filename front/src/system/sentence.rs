@@ -17,7 +17,13 @@ pub fn plural(count: usize, one: &str, several: &str) -> String {
 /// A number with the unit of its kind, where the units are known.
 #[must_use]
 pub fn with_unit(x: f64, units: Option<&Units>, kind: Of) -> String {
-    units.map_or_else(|| digits(x), |system| format!("{} {}", digits(x), system.name(kind)))
+    units.map_or_else(
+        || digits(x),
+        |system| {
+            let (unit, factor) = system.for_reading(kind);
+            format!("{} {unit}", digits(factor.times(x)))
+        },
+    )
 }
 
 /// A frequency in words: in hertz where the units are known.
