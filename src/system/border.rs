@@ -95,7 +95,10 @@ impl<F: Float> Friction<F> {
     fn new(given: &Assembly<F>) -> Result<Self, Error> {
         let zero = F::int(0);
         let [part] = given.parts.as_slice() else {
-            return Err(unsupported("elements", "must be one contact: more than one has no closed form"));
+            return Err(unsupported(
+                "elements",
+                "must be one contact: with stops or further contacts there is no closed form",
+            ));
         };
         let Rule::Contact { pieces, peak, normal } = &part.rule else {
             return Err(unsupported(&part.name, "must be a contact that is neither elastic nor a stop"));

@@ -305,6 +305,11 @@ impl<F: Float> Branch<F> {
         self.a.size_of(place, z)
     }
 
+    /// The roundings of a coefficient of the polynomial of a row of this length, in units of ε.
+    pub(crate) fn roundings(&self, length: usize) -> F {
+        integer((self.degree + 1) * (length + 3))
+    }
+
     /// `A z`.
     pub(crate) fn derivative(&self, z: &[F]) -> Vec<F> {
         let mut result = vec![F::int(0); z.len()];
@@ -419,7 +424,9 @@ fn guards<F: Float>(
                     add(i, Trigger::Releases { forward }, row);
                 }
             }
-            (Mode::Away, Rule::Stop { depth, .. }) => add(i, Trigger::Closes, times(depth, -one)),
+            (Mode::Away, Rule::Stop { depth, .. } | Rule::Hard { depth, .. }) => {
+                add(i, Trigger::Closes, times(depth, -one))
+            }
             (Mode::Pressed, Rule::Stop { .. }) => add(i, Trigger::Opens, tension.clone()),
             (Mode::Lifted, Rule::Stop { depth, .. }) => {
                 add(i, Trigger::Clears, depth.clone());
@@ -465,7 +472,8 @@ pub(crate) fn static_bound<F: Float>(part: &Part<F>) -> Vec<F> {
     row
 }
 
-/// The guards of the contacts that stick: `Σ |gᵢ| Rᵢ ∓ Σ gᵢ Tᵢ` for each facet g of what they can hold.
+/// The guards of the contacts that stick: `Σ |gᵢ| Rᵢ ∓ Σ gᵢ Tᵢ` for each facet g of what they can hold. A stop that gives no way holds any
+/// force ≥ 0: its bound is 0 on one side, and there is none on the other.
 fn releases<F: Float>(system: &Assembly<F>, stuck: &[usize], tension: &[Vec<F>]) -> Vec<Guard<F>> {
     let parts = || stuck.iter().filter_map(|&i| system.parts.get(i));
     let facets: Vec<Vec<(usize, F)>> = if system.is_dependent {
@@ -479,6 +487,13 @@ fn releases<F: Float>(system: &Assembly<F>, stuck: &[usize], tension: &[Vec<F>])
         for forward in [true, false] {
             let mut row = vec![F::int(0); system.size];
             let mut members = Vec::new();
+            let presses = |&(place, g): &(usize, F)| {
+                let rule = stuck.get(place).and_then(|&i| system.parts.get(i)).map(|part| &part.rule);
+                matches!(rule, Some(Rule::Hard { .. })) && (g > F::int(0)) == forward
+            };
+            if facet.iter().any(presses) {
+                continue;
+            }
             for &(place, g) in &facet {
                 let Some(&element) = stuck.get(place) else { continue };
                 if let (Some(tension), Some(bound)) = (tension.get(element), bounds.get(place)) {

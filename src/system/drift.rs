@@ -31,7 +31,7 @@ impl<F: Float> Drift<F> {
         let mut noticed: Vec<Vec<F>> = system.stiffness.rows().map(<[F]>::to_vec).collect();
         for part in &system.parts {
             let row = match &part.rule {
-                Rule::Stop { depth, .. } => Some(depth.as_slice()),
+                Rule::Stop { depth, .. } | Rule::Hard { depth, .. } => Some(depth.as_slice()),
                 Rule::Contact { .. } | Rule::Elastic { .. } => part.normal(),
             };
             noticed.extend(row.and_then(|row| row.get(..n)).map(<[F]>::to_vec));
@@ -193,6 +193,7 @@ impl<F: Float> Natural<F> {
                     stiffness = stiffness.or_larger(*own);
                 }
                 Rule::Stop { stiffness: own, .. } => stiffness = stiffness.or_larger(*own),
+                Rule::Hard { .. } => {}
             }
         }
         let moved = |i: &usize| system.moved.iter().any(|moved| moved.coordinate == *i);

@@ -26,6 +26,15 @@ pub(crate) enum Mode {
     Pressed,
     /// A stop beyond its gap, which would have to pull.
     Lifted,
+    /// A stop that gives no way, in touch.
+    Resting,
+}
+
+impl Mode {
+    /// Whether the force is sought that keeps the velocity at 0.
+    pub(crate) const fn is_held(self) -> bool {
+        matches!(self, Self::Stuck | Self::Resting)
+    }
 }
 
 /// The equation while each element keeps its mode.
@@ -33,7 +42,7 @@ pub(crate) struct Equation<F> {
     pub(crate) a: Sparse<F>,
     /// The row of each element's force.
     pub(crate) tension: Vec<Vec<F>>,
-    /// The contacts that stick.
+    /// The contacts that stick, and the stops in touch that give no way.
     pub(crate) stuck: Vec<usize>,
     /// The row of the velocity of the slider of each elastic contact that yields, in its direction: `s v − (r N)′/k`.
     pub(crate) slips: Vec<Vec<F>>,
@@ -50,7 +59,7 @@ impl<F: Float> Equation<F> {
         for (i, ((part, mode), tension)) in system.parts.iter().zip(modes).zip(&mut tension).enumerate() {
             match given_tension(part, *mode) {
                 Some(row) => *tension = row,
-                None if *mode == Mode::Stuck => stuck.push(i),
+                None if mode.is_held() => stuck.push(i),
                 None => {}
             }
             apply(&mut force, &part.direction, tension);
@@ -120,7 +129,7 @@ impl<F: Float> Equation<F> {
                     }
                 }
                 Mode::Stuck | Mode::Slides { .. } | Mode::Apart => {}
-                Mode::Away | Mode::Pressed | Mode::Lifted => {}
+                Mode::Away | Mode::Pressed | Mode::Lifted | Mode::Resting => {}
             }
         }
         // The velocities of what has no mass change as those that they follow from.
@@ -217,7 +226,7 @@ fn apply<F: Float>(force: &mut Matrix<F>, direction: &[F], tension: &[F]) {
 }
 
 /// G⁻¹ of the contacts that stick. Dependent ones share their force in proportion to their bounds, as far as that holds it:
-/// with the least `Σ Tᵢ²/Rᵢ`.
+/// with the least `Σ Tᵢ²/Rᵢ`. A stop that gives no way takes most of it, as one with 2¹⁰ times the greatest bound.
 fn inverse_by_shares<F: Float>(system: &Assembly<F>, stuck: &[usize]) -> Matrix<F> {
     let coupling = system.coupling_of(stuck);
     if !system.is_dependent {
@@ -232,7 +241,12 @@ fn inverse_by_shares<F: Float>(system: &Assembly<F>, stuck: &[usize]) -> Matrix<
     if largest <= F::int(0) {
         return coupling.pseudo_inverse();
     }
-    let roots: Vec<F> = bounds.iter().map(|&x| (x / largest).or_larger(F::exp2i(-20)).sqrt()).collect();
+    let is_stop = |i: &usize| matches!(system.parts.get(*i).map(|part| &part.rule), Some(Rule::Hard { .. }));
+    let root = |(i, &x): (&usize, &F)| {
+        let share = if is_stop(i) { F::exp2i(10) } else { (x / largest).or_larger(F::exp2i(-20)) };
+        share.sqrt()
+    };
+    let roots: Vec<F> = stuck.iter().zip(&bounds).map(root).collect();
     let scaled = |matrix: &Matrix<F>| {
         let mut result = matrix.clone();
         for (i, &a) in roots.iter().enumerate() {

@@ -837,6 +837,12 @@ impl<F: Float> Assembly<F> {
                     "must not be pressed by a spring at a body without mass: give it a mass",
                 );
             }
+            if matches!(part.rule, Rule::Hard { .. }) {
+                return unsupported(
+                    &part.name,
+                    "must have a stiffness in place of a restitution beside a body without mass: give the stop a stiffness, or the body a mass",
+                );
+            }
             if !self.is_light(part) {
                 continue;
             }
@@ -858,6 +864,7 @@ impl<F: Float> Assembly<F> {
                     self.check_pressed(&part.name, normal.as_deref())?;
                 }
                 Rule::Elastic { normal, .. } => self.check_pressed(&part.name, normal.as_deref())?,
+                Rule::Hard { .. } => {}
                 Rule::Stop { damping, .. } => {
                     if *damping > zero {
                         return unsupported(

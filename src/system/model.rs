@@ -186,6 +186,14 @@ pub enum Kind<F> {
         /// The damping constant.
         damping: F,
     },
+    /// A stop that gives no way: where y reaches the gap with a velocity v > 0, that becomes −restitution · v at once. After ever smaller
+    /// blows, and with the restitution 0 after the first, it holds y = gap with a force T ≥ 0, and opens where T would be below 0.
+    HardStop {
+        /// The gap.
+        gap: F,
+        /// The coefficient of restitution, from 0 to 1.
+        restitution: F,
+    },
 }
 
 /// The normal load of a contact, `signal + displacement·q + velocity·q′`; the contact is open while it is below 0. It does not

@@ -36,7 +36,7 @@ impl<F: Float> System<F> {
                         add_times(stiffness.row_mut(i), b * *own, &part.direction);
                     }
                 }
-                Rule::Stop { .. } => {}
+                Rule::Stop { .. } | Rule::Hard { .. } => {}
                 _ if is_light => directions.push(part.direction.clone()),
                 _ => {
                     let mut c = root.of(&part.direction);

@@ -15,6 +15,7 @@ mod clutches;
 mod generator;
 #[cfg(feature = "rayon")]
 mod grid;
+mod impacts;
 mod long_run;
 mod massless;
 mod one_body;

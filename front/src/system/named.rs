@@ -1,7 +1,7 @@
 //! Bodies by name, and springs, contacts, stops and loads between them and the ground.
 
 use super::builder::Builder;
-use super::described::{Described, MOST_COORDINATES, MOST_ELEMENTS, base_of, law, peak};
+use super::described::{Described, MOST_COORDINATES, MOST_ELEMENTS, base_of, law, peak, restitution};
 use super::node::{Fields, Node, check_name, nearest};
 use super::signals::{NEEDS, add as plus};
 use crate::inputs::units::{Kind as Of, System as Units};
@@ -389,6 +389,12 @@ impl Builder<'_> {
         let (direction, _) = self.direction(fields)?;
         let name = self.name(fields)?;
         let gap = fields.required("gap")?.quantity(Of::Length)?;
+        if let Some(restitution) = restitution(fields, &["name"])? {
+            fields.end()?;
+            let (moves, kind) = (Signal::constant(0.0), Kind::HardStop { gap, restitution });
+            self.model.elements.push(Element { name, direction, moves, kind });
+            return Ok(());
+        }
         let stiffness = fields.required("stiffness")?.quantity(Of::Stiffness)?;
         let damping = fields.quantity_or("damping", Of::Damping, 0.0)?;
         let (along, ratio) = (fields.get("along"), peak(fields)?);
