@@ -39,6 +39,7 @@ named! {
 /// An event.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct Event<F> {
     /// Its time.
     pub time: F,

@@ -19,6 +19,7 @@ use alloc::vec::Vec;
 /// A motion, with its answers.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct Motion<F> {
     /// Its length in time.
     pub duration: F,
@@ -51,6 +52,7 @@ pub struct Motion<F> {
 /// The answers of an element.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct ElementMotion<F> {
     /// Its name.
     pub name: String,
