@@ -134,6 +134,24 @@ fn crossing<F: Float>(b: &[F]) -> F {
     (integer::<F>(k) + share) / integer(b.len().saturating_sub(1).max(1))
 }
 
+/// Leaves out the last coefficients, as long as their sum is far below the error.
+pub(crate) fn shorten<F: Float>(c: &mut Vec<F>, error: F) {
+    c.truncate(shortened(c, error).len());
+}
+
+/// The coefficients without the last ones, as in [`shorten`].
+pub(crate) fn shortened<F: Float>(mut c: &[F], error: F) -> &[F] {
+    let mut left = error / F::int(16);
+    while let [rest @ .., last] = c {
+        left = left - last.abs();
+        if left < F::int(0) || rest.is_empty() {
+            break;
+        }
+        c = rest;
+    }
+    c
+}
+
 /// The greatest value of p on [0, 1], where it is above `known` by more than `error`.
 pub(crate) fn greatest_above<F: Float>(c: &[F], known: F, error: F) -> F {
     greatest_place(c, known, error).0

@@ -7,7 +7,7 @@ use super::branches::Branches;
 use super::equation::{Mode, sign};
 use super::error::Error;
 use super::events::{Event, EventKind, Stretch, Watch};
-use super::first_passage::first_passage;
+use super::first_passage::{first_passage, shorten};
 use super::kept::Kept;
 use super::massless;
 use super::matrix::{Sum, absolute, add_times, dot, size_of_dot};
@@ -778,24 +778,6 @@ fn is_slow<F: Float>(system: &Assembly<F>, branch: &Branch<F>, element: usize, z
     let Some(part) = system.parts.get(element) else { return false };
     let bound = size_of_dot(branch.speed_error(element, &part.velocity), z);
     dot(&part.velocity, z).abs() <= bound * F::int(4)
-}
-
-/// Leaves out the last coefficients, as long as their sum is far below the error.
-pub(crate) fn shorten<F: Float>(c: &mut Vec<F>, error: F) {
-    c.truncate(shortened(c, error).len());
-}
-
-/// The coefficients without the last ones, as in [`shorten`].
-pub(crate) fn shortened<F: Float>(mut c: &[F], error: F) -> &[F] {
-    let mut left = error / F::int(16);
-    while let [rest @ .., last] = c {
-        left = left - last.abs();
-        if left < F::int(0) || rest.is_empty() {
-            break;
-        }
-        c = rest;
-    }
-    c
 }
 
 /// The mode of a contact that slides with the velocity v.

@@ -7,8 +7,7 @@
 use super::assembly::Assembly;
 use super::branch::polynomial;
 use super::events::{Event, EventKind, Stretch};
-use super::first_passage::{first_passage, integer};
-use super::follow::shorten;
+use super::first_passage::{first_passage, integer, shorten};
 use super::matrix::{add_times, size_of_dot};
 use crate::float::Float;
 use alloc::vec;

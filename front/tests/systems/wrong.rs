@@ -248,3 +248,26 @@ fn a_list_of_another_length_is_named() {
     value["damping"] = json!([[1, 0]]);
     assert_eq!(built(&value).unwrap_err(), "damping: has 1 rows, must have 2");
 }
+
+/// A stop is elastic or has a restitution from 0 to 1, in both kinds of file.
+#[test]
+fn a_stop_is_elastic_or_has_a_restitution() {
+    for (file, place) in [(by_names(), "stops[3]"), (by_matrices(), "elements[5]")] {
+        let list = if place.starts_with("stops") { "stops" } else { "elements" };
+        let number = if list == "stops" { 2 } else { 4 };
+        let with = |name: &str, new: Value| {
+            let mut value = file.clone();
+            value[list][number][name] = new;
+            built(&value).unwrap_err()
+        };
+        assert!(built(&file).is_ok());
+        assert_eq!(with("restitution", json!(1.5)), format!("{place}.restitution 1.5: must be ≤ 1"));
+        assert_eq!(with("restitution", json!(-0.5)), format!("{place}.restitution -0.5: must be ≥ 0"));
+        let without = "must be left out of a stop with a restitution, which gives no way";
+        assert_eq!(with("stiffness", json!(3)), format!("{place}.stiffness 3: {without}"));
+        assert_eq!(with("damping", json!(3)), format!("{place}.damping 3: {without}"));
+        let mut value = file.clone();
+        value[list][number].as_object_mut().unwrap().remove("restitution");
+        assert_eq!(built(&value).unwrap_err(), format!("{place}: needs one of stiffness and restitution"));
+    }
+}
