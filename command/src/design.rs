@@ -102,7 +102,7 @@ impl<F: Value> AskedDesign<'_, F> {
         let force = design::min_amplitude(&body, Excitation::Force, frequency).map_err(|e| self.fail(e))?;
         let force = force * self.share;
         let (newton, length) = (self.system().force(), self.system().length());
-        let unbalance = self.system().name(Kind::Unbalance);
+        let (unbalance, factor) = self.system().for_reading(Kind::Unbalance);
         let mut fields = force_and_equals(&self.given, &body, frequency, force);
         fields.extend(self.shift(&body)?);
         let of = |name: &str| {
@@ -112,11 +112,15 @@ impl<F: Value> AskedDesign<'_, F> {
             far if far.is_empty() => "a motion ".to_owned(),
             far => format!("a motion of {far} {length} of the spring's support over a fixed surface, or "),
         };
+        let turning = fields.iter().find_map(|(name, _, cell)| match cell {
+            Cell::Number(Some(value)) if *name == "unbalance" => Some(digits(factor.times(*value))),
+            _ => None,
+        });
         let sentence = format!(
             "The body never sticks at a force of {} {newton} or more: a rotating unbalance of {} {unbalance}, {foot}of {} \
              {length} of a base that carries the surface.",
             of("force"),
-            of("unbalance"),
+            turning.unwrap_or_default(),
             of("base_displacement")
         );
         let answer = DesignAnswer::one(sentence, fields);

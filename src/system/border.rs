@@ -34,6 +34,7 @@ use alloc::vec::Vec;
 /// The least load at which a contact never sticks.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct Border<F> {
     /// The least load as a multiple of the given one. From it on the contact never sticks in a motion with two
     /// reversals a period.
@@ -49,6 +50,7 @@ pub struct Border<F> {
 /// The cycle of two reversals a period.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct Cycle<F> {
     /// The greatest stretch y of the contact, from the middle of its motion: Δ₀.
     pub max_displacement: F,
@@ -95,7 +97,10 @@ impl<F: Float> Friction<F> {
     fn new(given: &Assembly<F>) -> Result<Self, Error> {
         let zero = F::int(0);
         let [part] = given.parts.as_slice() else {
-            return Err(unsupported("elements", "must be one contact: more than one has no closed form"));
+            return Err(unsupported(
+                "elements",
+                "must be one contact: with stops or further contacts there is no closed form",
+            ));
         };
         let Rule::Contact { pieces, peak, normal } = &part.rule else {
             return Err(unsupported(&part.name, "must be a contact that is neither elastic nor a stop"));
@@ -117,6 +122,12 @@ impl<F: Float> Friction<F> {
         }
         if !given.records.is_empty() {
             return Err(unsupported("records", "must be absent: the closed form is that of a harmonic load"));
+        }
+        if !given.massless.is_empty() {
+            return Err(unsupported(
+                "mass",
+                "must be > 0 at each coordinate: the closed form is that of bodies with mass",
+            ));
         }
         let (n, frequency) = (given.n, *frequency);
         let constant: Vec<F> = given.load.rows().filter_map(|row| row.last().copied()).collect();

@@ -177,12 +177,14 @@ function showSystem(found) {
     const most = motion.max_absolute_acceleration?.[i];
     if (most !== undefined) entry(list, `${name}: peak absolute acceleration`, readable(most, units.acceleration), `${most} ${units.acceleration}`);
   });
+  // What is below the rounding of the works has no digit that is right.
+  const works = motion.elements.reduce((sum, { work }) => sum + Math.abs(work), Math.abs(motion.load_work ?? 0));
   for (const element of motion.elements) {
     const words = { contact: "sticks", elastic: "holds", stop: "open" }[element.kind];
     const part = motion.period > 0 ? ` (${four((100 * element.time_at_rest) / motion.period)} %)` : "";
     entry(list, `${element.name}: ${words}`, `${readable(element.time_at_rest, "s")}${part}, ${element.stops} ${element.stops === 1 ? "time" : "times"}`, `${element.time_at_rest} s`);
     // A stop of the page has no damper, and does no work in a period.
-    if (element.kind !== "stop") entry(list, `${element.name}: work`, readable(element.work, units.work), `${element.work} ${units.work}`);
+    if (element.kind !== "stop") entry(list, `${element.name}: work`, readable(Math.abs(element.work) < 1e-12 * works ? 0 : element.work, units.work), `${element.work} ${units.work}`);
   }
   const hertz = (own) => own.map((omega) => four(omega / (2 * Math.PI))).join(", ");
   entry(list, "natural frequencies, sliding", `${hertz(found.description.natural_frequencies)} Hz`);
@@ -319,7 +321,7 @@ function placeSystem(now) {
     const shift = first === "ground" ? 0 : places[0] - homes[0];
     const at = homes[second === "lower" ? 0 : 1] + width + room + shift;
     path(`M${first === "ground" ? wall : of[first][0] + 12} ${first === "ground" ? 40 : 54}V40H${at}V70`, ink.here, { "stroke-width": 3 });
-    words(Math.min(at + 4, 490), 60, `gap ${two.gap}`, { "text-anchor": "start" });
+    words(Math.min(Math.max(at, of[second][1]) + 6, 490), 84, `gap ${two.gap}`, { "text-anchor": "start" });
   }
   // The load to and fro: on a body above it, of the base below the floor.
   if (has("amplitude") && !isZero(two.amplitude)) {

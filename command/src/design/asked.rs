@@ -119,6 +119,10 @@ impl<'a, F: Value> AskedDesign<'a, F> {
                         let ranges: Vec<_> = intervals.iter().flatten().map(range).collect();
                         format!("{} {other}", ranges.join(" and "))
                     }
+                    (Cell::Number(Some(value)), Kind::Unbalance) => {
+                        let (unit, factor) = self.system().for_reading(*kind);
+                        format!("{} {unit}", digits(factor.times(*value)))
+                    }
                     (Cell::Number(_) | Cell::Intervals(_), kind) if *kind != Kind::Ratio => {
                         format!("{} {unit}", cell.shown().text())
                     }
