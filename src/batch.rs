@@ -51,11 +51,10 @@ mod straight;
 mod threads;
 mod velocity;
 
-#[doc(hidden)]
-pub use columns::is_looped_with_damper;
 use fixed::FixedOmega;
-pub use level::Level;
 pub(crate) use level::Loops;
+#[doc(hidden)]
+pub use {columns::is_looped_with_damper, level::Level};
 
 use crate::cycle::regime::Regime;
 use crate::machine::error::Error;
@@ -116,25 +115,11 @@ impl<'a> Batch<'a> {
         self
     }
 
-    /// Selects an instruction set; [`Level::Portable`] where the processor does not have it.
-    #[doc(hidden)]
-    pub fn at_level(mut self, level: Level) -> Self {
-        self.level = if level.is_available() { level } else { Level::Portable };
-        self
-    }
-
     /// Uses all threads of the current rayon pool. The results are the same.
     #[cfg(feature = "rayon")]
     pub fn on_threads(mut self) -> Self {
         self.threads = true;
         self
-    }
-
-    /// The instruction set in use.
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn level(&self) -> Level {
-        self.level
     }
 
     /// Computes the requested outputs at the points (Ω, α).
@@ -200,5 +185,21 @@ impl<'a> Batch<'a> {
             return threads::each(self.level, 0, n, self.columns, ratios);
         }
         damped::run(self.level, 0, n, self.columns, ratios);
+    }
+}
+
+// For the programs of this repository.
+#[doc(hidden)]
+impl<'a> Batch<'a> {
+    /// Selects an instruction set; [`Level::Portable`] where the processor does not have it.
+    pub fn at_level(mut self, level: Level) -> Self {
+        self.level = if level.is_available() { level } else { Level::Portable };
+        self
+    }
+
+    /// The instruction set in use.
+    #[must_use]
+    pub const fn level(&self) -> Level {
+        self.level
     }
 }

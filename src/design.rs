@@ -64,20 +64,29 @@ mod target_friction;
 mod tuning;
 
 pub use band::{Band, Edge};
-pub use bands::{Bands, bands, frequency_bands};
-pub use dissipation::{most_dissipating_force_ratio, most_dissipating_friction};
+pub use bands::{Bands, frequency_bands};
+pub use dissipation::most_dissipating_friction;
 pub use force::min_amplitude;
 pub use free_decay::{DecayIdentified, TurningPoints, identify_decay, identify_turning_points};
 pub use friction::max_friction;
 pub use hold::{Holding, holding_frequency};
 pub use identify::{AmplitudeKind, Identified, Measurement, PhaseKind, Reading, Residual, identify};
 pub use identify_motion::{MotionIdentified, identify_motion};
-pub use no_stop::{bands_without_stop, forces_without_stop, frequency_bands_without_stop};
+pub use no_stop::{forces_without_stop, frequency_bands_without_stop};
 pub use optimum::{BoundedOptimum, Optimum, OptimumKind};
 pub use over_band::{Aim, BandFriction, BandFrictionKind, best_friction_over_band};
-pub use sticking::{most_dissipating_force_ratio_of_all, most_dissipating_friction_of_all};
-pub use target::{
-    force_for_displacement, force_for_velocity, force_ratio_for_displacement, force_ratio_for_velocity,
-};
+pub use sticking::most_dissipating_friction_of_all;
+pub use target::{force_for_displacement, force_for_velocity};
 pub use target_friction::{TargetFriction, frictions_for_displacement};
-pub use tuning::{most_dissipating_frequency_ratio, most_dissipating_stiffness};
+pub use tuning::most_dissipating_stiffness;
+
+// The same questions in ratios, for m = k = r_y = 1.
+#[doc(hidden)]
+pub use {
+    bands::bands,
+    dissipation::most_dissipating_force_ratio,
+    no_stop::bands_without_stop,
+    sticking::most_dissipating_force_ratio_of_all,
+    target::{force_ratio_for_displacement, force_ratio_for_velocity},
+    tuning::most_dissipating_frequency_ratio,
+};

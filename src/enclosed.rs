@@ -54,17 +54,18 @@ mod root;
 pub(crate) mod split;
 mod widen;
 
-// The arithmetic in which the command checks the equations.
-#[doc(hidden)]
-pub use crate::float::ball::Ball;
 pub use enclosure::Enclosure;
 pub use known::Known;
 pub use motion::{Event, Steady, Unproved};
 pub use ratios::KnownRatios;
 pub use record::follow;
 pub use regime::Regime;
+// The arithmetic in which the command checks the equations.
 #[doc(hidden)]
-pub use widen::{InBalls, PRECISIONS, with_more_bits};
+pub use {
+    crate::float::ball::Ball,
+    widen::{InBalls, PRECISIONS, with_more_bits},
+};
 
 use crate::cycle::damped::best_of;
 use crate::cycle::regime::sliding_bound;

@@ -199,7 +199,7 @@ pub mod uncertainty;
 pub mod internal {
     pub use crate::machine::oscillator::critical_damping;
     pub use crate::machine::ratios::{non_negative, positive, springless_exponent};
-    pub use crate::motion::limit::observed::{Observed, observed};
+    pub use crate::motion::limit::observed::{Observed, Stops, observed, stops_per_cycle};
     pub use crate::output::{Column, Dimension, Kind, ResponseAnswer, Value, When, definitions};
 }
 
@@ -228,5 +228,4 @@ pub use cycle::regime::{Family, NoStop, Regime, Verdict};
 pub use machine::ratios::Ratios;
 // The regime of an exact motion, as the command and the Python package report it.
 pub use cycle::response::Response;
-pub use motion::limit::observed::{Stops, stops_per_cycle};
 pub use steady::{Sample, Steady};

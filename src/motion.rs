@@ -43,13 +43,11 @@ mod trajectory;
 pub use drive_phase::DrivePhase;
 pub use free::FreeDecay;
 pub(crate) use limit::amplitude::Trust;
-pub use limit::amplitude::{Amplitude, Reached};
 pub use limit::irregular::Irregular;
 pub use limit::long_run::{DEFAULT_BUDGET, LongRun, Rest};
 pub use limit::measures::{ErrorMeasures, Extreme};
 pub use limit::peaks::Peaks;
 pub use limit::steady::{SteadyState, errors_after};
-pub use limit::steady_outputs::SteadyOutput;
 pub use many::attractors::{Attractor, Attractors, attractors};
 pub use many::periodic::{PeriodicMotion, periodic_motions};
 pub use many::starts::Starts;
@@ -63,7 +61,8 @@ pub use trajectory::{End, Kind, Segment, Trajectory};
 // interrupted runs.
 #[doc(hidden)]
 pub use {
-    limit::steady_outputs::SteadyAnswer,
+    limit::amplitude::{Amplitude, Reached},
+    limit::steady_outputs::{SteadyAnswer, SteadyOutput},
     many::attractors::Signature,
     many::periodic::{PeriodicMotions, periodic_motions_from},
 };

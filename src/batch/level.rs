@@ -7,7 +7,6 @@ use pulp::x86::{V3, V4};
 ///
 /// One source serves all of them, with the same fused products in the same order, so that all give the same
 /// bits. [`Level::Scalar`] is the library's own code for one point at a time.
-#[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Level {

@@ -90,28 +90,6 @@ impl<F: Float> PhaseFunction<F> {
         self.value() == F::int(0)
     }
 
-    /// `T = tan(π/2Ω) = sin π₁/(1 + cos π₁)`. It is infinite only at Ω = 1, since no other float is a pole.
-    #[inline]
-    #[doc(hidden)]
-    pub fn tangent(&self) -> F {
-        tangent(self.quarter, self.remainder.hi)
-    }
-
-    /// `(sin β, cos β)` of `β = π/2Ω`; the cosine keeps its relative accuracy where it vanishes.
-    #[doc(hidden)]
-    #[inline]
-    pub fn sin_cos(&self) -> (F, F) {
-        let (s, c) = if const { F::PRECISION > f64::MANTISSA_DIGITS } {
-            // At high precision, a circular function costs as much as fifty products.
-            let t = self.remainder_tangent();
-            let c = F::int(1) / (F::int(1) + t.square()).sqrt();
-            (t * c, c)
-        } else {
-            self.remainder.hi.sin_cos()
-        };
-        turned(self.quarter, (s, c))
-    }
-
     /// `(sin β, cos β)` as batches compute them: without circular functions for Ω ≥ 1/2.
     #[inline(always)]
     pub(crate) fn sin_cos_of_cycle(&self) -> (F, F) {
@@ -164,6 +142,30 @@ impl<F: Float> PhaseFunction<F> {
     #[inline(always)]
     pub(crate) fn one_minus_square(&self) -> Pair<F> {
         one_minus_square_wide(self.omega)
+    }
+}
+
+// For the programs of this repository.
+#[doc(hidden)]
+impl<F: Float> PhaseFunction<F> {
+    /// `T = tan(π/2Ω) = sin π₁/(1 + cos π₁)`. It is infinite only at Ω = 1, since no other float is a pole.
+    #[inline]
+    pub fn tangent(&self) -> F {
+        tangent(self.quarter, self.remainder.hi)
+    }
+
+    /// `(sin β, cos β)` of `β = π/2Ω`; the cosine keeps its relative accuracy where it vanishes.
+    #[inline]
+    pub fn sin_cos(&self) -> (F, F) {
+        let (s, c) = if const { F::PRECISION > f64::MANTISSA_DIGITS } {
+            // At high precision, a circular function costs as much as fifty products.
+            let t = self.remainder_tangent();
+            let c = F::int(1) / (F::int(1) + t.square()).sqrt();
+            (t * c, c)
+        } else {
+            self.remainder.hi.sin_cos()
+        };
+        turned(self.quarter, (s, c))
     }
 }
 

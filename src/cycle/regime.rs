@@ -52,7 +52,6 @@ named! {
 
 impl Regime {
     /// All regimes, in the order of their numbers in lists and codes.
-    #[doc(hidden)]
     pub const ALL: [Self; 5] =
         [Self::Stuck, Self::Sticking, Self::NonSticking, Self::Unbounded, Self::DependsOnStart];
 }

@@ -51,7 +51,6 @@ struct FrequencyScale<F> {
 }
 
 /// [`frequency_bands`] with m = k = r_y = 1 under a force of amplitude α; its errors name ratios.
-#[doc(hidden)]
 pub fn bands<F: Float>(alpha: F, damping_ratio: F, range: RangeInclusive<F>) -> Result<Bands<F>, Error> {
     let (low, high) = range.into_inner();
     Ratios::new(low, alpha)?.with_damping_ratio(damping_ratio)?;

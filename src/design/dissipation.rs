@@ -20,7 +20,6 @@ use crate::machine::oscillator::{Drive, Oscillator};
 use crate::machine::ratios::{Ratios, positive};
 
 /// α = p₀/r_y of [`most_dissipating_friction`] with m = k = p₀ = 1, and A₁; its errors name ratios.
-#[doc(hidden)]
 pub fn most_dissipating_force_ratio<F: Float>(omega: F, damping_ratio: F) -> Result<Optimum<F>, Error> {
     optimum_at(&Ratios::of_machine(omega, damping_ratio)?)
 }

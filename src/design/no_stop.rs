@@ -33,7 +33,6 @@ pub fn forces_without_stop<F: Float>(body: &Oscillator<F>, angular_frequency: F)
 }
 
 /// [`frequency_bands_without_stop`] with m = k = r_y = 1 under a force of amplitude α; its errors name ratios.
-#[doc(hidden)]
 pub fn bands_without_stop<F: Float>(
     alpha: F,
     damping_ratio: F,

@@ -188,7 +188,6 @@ impl<F: Float> LoopSearch<F> {
 const COARSE: i32 = 32;
 
 /// α = p₀/r_y of [`most_dissipating_friction_of_all`] with m = k = p₀ = 1, and A₁; its errors name ratios.
-#[doc(hidden)]
 pub fn most_dissipating_force_ratio_of_all<F: Float>(
     omega: F,
     damping_ratio: F,

@@ -11,7 +11,6 @@ use crate::machine::oscillator::Oscillator;
 use crate::machine::ratios::{Ratios, positive};
 
 /// [`force_for_displacement`] with m = k = r_y = 1; its errors name ratios.
-#[doc(hidden)]
 pub fn force_ratio_for_displacement<F: Float>(
     omega: F,
     damping_ratio: F,
@@ -42,7 +41,6 @@ pub fn force_for_displacement<F: Float>(
 }
 
 /// [`force_for_velocity`] with m = k = r_y = 1; its errors name ratios.
-#[doc(hidden)]
 pub fn force_ratio_for_velocity<F: Float>(omega: F, damping_ratio: F, max_velocity: F) -> Result<F, Error> {
     let (ratios, quantity) = (Ratios::of_machine(omega, damping_ratio)?, Quantity::MaxVelocityRatio);
     velocity_target(&ratios, max_velocity, F::int(1), quantity)

@@ -30,7 +30,6 @@ use work::FrictionWork;
 const HARMONICS: i32 = 64;
 
 /// Ω of [`most_dissipating_stiffness`] with m = r_y = ω_d = 1 under a force of amplitude α, and A₂; its errors name ratios.
-#[doc(hidden)]
 pub fn most_dissipating_frequency_ratio<F: Float>(
     alpha: F,
     range: RangeInclusive<F>,

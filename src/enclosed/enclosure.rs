@@ -28,24 +28,6 @@ impl Default for Enclosure {
 }
 
 impl Enclosure {
-    /// The numbers of a ball; `None` for the whole line.
-    #[doc(hidden)]
-    #[must_use]
-    pub fn of<const W: usize>(ball: &Ball<W>) -> Option<Self> {
-        let (mid, rad) = (ball.mid().to_rug(), ball.rad().value::<1>().to_rug());
-        (!ball.is_entire() && rad.is_finite()).then_some(Self { mid, rad })
-    }
-
-    /// This enclosure as a ball.
-    #[doc(hidden)]
-    #[must_use]
-    pub fn ball<const W: usize>(&self) -> Ball<W> {
-        let mid = Mp::from_rug(&self.mid);
-        let rounding = mid.to_rug() - &self.mid;
-        let rounding = Radius::above(Mp::<2>::from_rug(&rounding)).scaled(1);
-        Ball::new(mid, Radius::above(Mp::<2>::from_rug(&self.rad)).plus(rounding))
-    }
-
     /// The least and the greatest of these numbers.
     pub(crate) fn ends(&self) -> Option<(Rational, Rational)> {
         let (mid, rad) = (self.mid.to_rational()?, self.rad.to_rational()?);
@@ -90,6 +72,26 @@ impl Enclosure {
     fn written(&self, more: u32) -> Written {
         let number = |x: &Float| x.to_rational().unwrap_or_default();
         written(&number(&self.mid), &number(&self.rad), more)
+    }
+}
+
+// For the programs of this repository.
+#[doc(hidden)]
+impl Enclosure {
+    /// The numbers of a ball; `None` for the whole line.
+    #[must_use]
+    pub fn of<const W: usize>(ball: &Ball<W>) -> Option<Self> {
+        let (mid, rad) = (ball.mid().to_rug(), ball.rad().value::<1>().to_rug());
+        (!ball.is_entire() && rad.is_finite()).then_some(Self { mid, rad })
+    }
+
+    /// This enclosure as a ball.
+    #[must_use]
+    pub fn ball<const W: usize>(&self) -> Ball<W> {
+        let mid = Mp::from_rug(&self.mid);
+        let rounding = mid.to_rug() - &self.mid;
+        let rounding = Radius::above(Mp::<2>::from_rug(&rounding)).scaled(1);
+        Ball::new(mid, Radius::above(Mp::<2>::from_rug(&self.rad)).plus(rounding))
     }
 }
 

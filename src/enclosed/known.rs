@@ -40,12 +40,6 @@ impl Known {
         Self { low, high }
     }
 
-    /// A ratio that is exactly the number x.
-    #[doc(hidden)]
-    pub fn rational(x: Rational) -> Self {
-        Self { low: x.clone(), high: x }
-    }
-
     /// All numbers from the low end of one to the high end of the other.
     ///
     /// # Errors
@@ -93,9 +87,17 @@ impl Known {
         }
         Ok(self)
     }
+}
+
+// For the programs of this repository.
+#[doc(hidden)]
+impl Known {
+    /// A ratio that is exactly the number x.
+    pub fn rational(x: Rational) -> Self {
+        Self { low: x.clone(), high: x }
+    }
 
     /// A ball that contains these numbers.
-    #[doc(hidden)]
     #[must_use]
     pub fn ball<const W: usize>(&self) -> Ball<W> {
         let end = |x: &Rational| {

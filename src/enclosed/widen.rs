@@ -11,7 +11,6 @@ use crate::output::Output;
 pub(super) const GREATEST: u32 = 8256;
 
 /// A computation in balls of any precision.
-#[doc(hidden)]
 pub trait InBalls {
     /// The result at one precision.
     type Found;
@@ -21,7 +20,6 @@ pub trait InBalls {
 
 /// Runs a computation at one precision after another, in words of 64 bits, until the result of one is accepted; from the
 /// first that has 64 bits more than asked for, or the last.
-#[doc(hidden)]
 pub fn with_more_bits<C: InBalls, T>(
     precisions: &[u32],
     bits: u32,
@@ -36,7 +34,6 @@ pub fn with_more_bits<C: InBalls, T>(
 }
 
 /// The precisions of the closed forms.
-#[doc(hidden)]
 pub const PRECISIONS: [u32; 5] = [2, 5, 17, 65, 129];
 
 /// The answers at one precision.

@@ -7,7 +7,6 @@ use super::pair::Pair;
 ///
 /// This is a trait because a closure cannot be forced inline: `run`, and everything that it calls often, must
 /// be `#[inline(always)]`.
-#[doc(hidden)]
 pub trait Task {
     /// The result.
     type Output;
@@ -17,7 +16,6 @@ pub trait Task {
 
 /// A task that the number type `F` hands to a narrower or wider one ([`Float::narrowed`],
 /// [`Float::guarded`]).
-#[doc(hidden)]
 pub trait AtPrecision<F> {
     /// The result.
     type Output;

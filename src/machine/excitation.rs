@@ -40,18 +40,6 @@ named! {
 }
 
 impl Excitation {
-    /// All kinds.
-    #[doc(hidden)]
-    pub const ALL: [Self; 7] = [
-        Self::Force,
-        Self::Unbalance,
-        Self::FootMotion,
-        Self::DampedFootMotion,
-        Self::SurfaceMotion,
-        Self::SurfaceVelocity,
-        Self::SurfaceAcceleration,
-    ];
-
     /// The quantity of the amplitude.
     pub(super) const fn quantity(self) -> Quantity {
         match self {
@@ -82,23 +70,36 @@ impl Excitation {
         }
     }
 
+    /// Whether the support or the base moves, so that the body's absolute displacement and that of its support are two.
+    pub(crate) const fn moves_base(self) -> bool {
+        self.moves_foot() || self.carries_surface()
+    }
+}
+
+// For the programs of this repository.
+#[doc(hidden)]
+impl Excitation {
+    /// All kinds.
+    pub const ALL: [Self; 7] = [
+        Self::Force,
+        Self::Unbalance,
+        Self::FootMotion,
+        Self::DampedFootMotion,
+        Self::SurfaceMotion,
+        Self::SurfaceVelocity,
+        Self::SurfaceAcceleration,
+    ];
+
     /// Whether the support of the spring moves over a fixed surface, so that the force on the body depends on
     /// its stiffness.
-    #[doc(hidden)]
     #[must_use]
     pub const fn moves_foot(self) -> bool {
         matches!(self, Self::FootMotion | Self::DampedFootMotion)
     }
 
     /// Whether the base carries the surface along, so that x is relative to the base.
-    #[doc(hidden)]
     #[must_use]
     pub const fn carries_surface(self) -> bool {
         matches!(self, Self::SurfaceMotion | Self::SurfaceVelocity | Self::SurfaceAcceleration)
-    }
-
-    /// Whether the support or the base moves, so that the body's absolute displacement and that of its support are two.
-    pub(crate) const fn moves_base(self) -> bool {
-        self.moves_foot() || self.carries_surface()
     }
 }

@@ -137,25 +137,10 @@ impl<F: Float> Ratios<F> {
         self.excitation
     }
 
-    /// Whether there is a damper, ζ > 0.
-    #[doc(hidden)]
-    #[inline]
-    pub fn is_damped(&self) -> bool {
-        self.damping_ratio > F::int(0)
-    }
-
     /// Whether Ω = 1 without a damper, where no cycle without a stop has a finite size above the border.
     #[inline]
     pub(crate) fn is_at_resonance(&self) -> bool {
         self.omega == F::int(1) && !self.is_damped()
-    }
-
-    /// Whether the static friction is above the kinetic one, η > 1: the steady motion can then depend on the
-    /// start.
-    #[doc(hidden)]
-    #[inline]
-    pub fn has_higher_static_friction(&self) -> bool {
-        self.static_friction_ratio > F::int(1)
     }
 
     /// Whether a body at rest is released at any position, α > η. For α ≤ η it stays at rest for ever where
@@ -191,6 +176,23 @@ impl<F: Float> Ratios<F> {
             return self.alpha / damper.hypot((F::int(1) - self.omega) * (F::int(1) + self.omega));
         }
         self.alpha / ((F::int(1) - self.omega) * (F::int(1) + self.omega))
+    }
+}
+
+// For the programs of this repository.
+#[doc(hidden)]
+impl<F: Float> Ratios<F> {
+    /// Whether there is a damper, ζ > 0.
+    #[inline]
+    pub fn is_damped(&self) -> bool {
+        self.damping_ratio > F::int(0)
+    }
+
+    /// Whether the static friction is above the kinetic one, η > 1: the steady motion can then depend on the
+    /// start.
+    #[inline]
+    pub fn has_higher_static_friction(&self) -> bool {
+        self.static_friction_ratio > F::int(1)
     }
 }
 

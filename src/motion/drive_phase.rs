@@ -80,18 +80,6 @@ impl<F: Float> DrivePhase<F> {
             .map(|p| Self { angle, ..p })
     }
 
-    /// Whole half turns n.
-    #[doc(hidden)]
-    pub const fn half_turns(&self) -> i64 {
-        self.half_turns
-    }
-
-    /// The angle `a` in `[−π/2, π/2)` beyond the half turns.
-    #[doc(hidden)]
-    pub const fn angle(&self) -> F {
-        self.angle
-    }
-
     /// θ modulo 2π, in `[0, 2π)`.
     pub fn reduced(&self) -> F {
         let turned = if self.is_even() { self.angle } else { self.angle + F::pi() };
@@ -109,24 +97,6 @@ impl<F: Float> DrivePhase<F> {
     pub(crate) fn sin_cos(&self) -> (F, F) {
         let (s, c) = self.angle.sin_cos();
         if self.is_even() { (s, c) } else { (-s, -c) }
-    }
-
-    /// The difference `θ − θ′`: exact in whole half turns up to one rounding.
-    #[inline]
-    #[doc(hidden)]
-    pub fn since(&self, earlier: Self) -> F {
-        let turns = self.half_turns.saturating_sub(earlier.half_turns);
-        let angle = self.angle - earlier.angle;
-        // An exact product needs no fused operation, which is a function call unless the target is known to
-        // have it.
-        match turns {
-            0 => return angle,
-            1 => return angle + F::pi(),
-            -1 => return angle - F::pi(),
-            2 => return angle + F::int(2) * F::pi(),
-            _ => {}
-        }
-        F::from_f64(turns as f64).mul_add(F::pi(), angle)
     }
 
     /// The phase `θ + advance`.
@@ -150,13 +120,6 @@ impl<F: Float> DrivePhase<F> {
         Self { half_turns: self.half_turns.saturating_add(turns.to_f64() as i64), angle }
     }
 
-    /// The phase n half turns later: the same angle.
-    #[inline]
-    #[doc(hidden)]
-    pub const fn later_by_half_turns(&self, half_turns: i64) -> Self {
-        Self { half_turns: self.half_turns.saturating_add(half_turns), angle: self.angle }
-    }
-
     /// Angle `angle` of the n-th half turn after the present one.
     #[inline]
     pub(crate) const fn in_half_turn(&self, later: i64, angle: F) -> Self {
@@ -173,6 +136,43 @@ impl<F: Float> DrivePhase<F> {
     #[inline]
     pub(crate) const fn is_even(&self) -> bool {
         self.half_turns & 1 == 0
+    }
+}
+
+// For the programs of this repository.
+#[doc(hidden)]
+impl<F: Float> DrivePhase<F> {
+    /// Whole half turns n.
+    pub const fn half_turns(&self) -> i64 {
+        self.half_turns
+    }
+
+    /// The angle `a` in `[−π/2, π/2)` beyond the half turns.
+    pub const fn angle(&self) -> F {
+        self.angle
+    }
+
+    /// The difference `θ − θ′`: exact in whole half turns up to one rounding.
+    #[inline]
+    pub fn since(&self, earlier: Self) -> F {
+        let turns = self.half_turns.saturating_sub(earlier.half_turns);
+        let angle = self.angle - earlier.angle;
+        // An exact product needs no fused operation, which is a function call unless the target is known to
+        // have it.
+        match turns {
+            0 => return angle,
+            1 => return angle + F::pi(),
+            -1 => return angle - F::pi(),
+            2 => return angle + F::int(2) * F::pi(),
+            _ => {}
+        }
+        F::from_f64(turns as f64).mul_add(F::pi(), angle)
+    }
+
+    /// The phase n half turns later: the same angle.
+    #[inline]
+    pub const fn later_by_half_turns(&self, half_turns: i64) -> Self {
+        Self { half_turns: self.half_turns.saturating_add(half_turns), angle: self.angle }
     }
 }
 

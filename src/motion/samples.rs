@@ -138,8 +138,20 @@ fn grid<F: Float>((cycle, number): (i64, u32), per_cycle: u32) -> DrivePhase<F> 
 }
 
 impl<F: Float> Samples<F> {
+    /// The phase of the next sample.
+    fn phase(&self) -> DrivePhase<F> {
+        let phase = self.place.phase();
+        match self.origin {
+            Some(origin) => phase.later_by_half_turns(origin.half_turns()).advanced(origin.angle()),
+            None => phase,
+        }
+    }
+}
+
+// For the programs of this repository.
+#[doc(hidden)]
+impl<F: Float> Samples<F> {
     /// These samples counted from the start of the motion, which is the first of them.
-    #[doc(hidden)]
     #[must_use]
     pub fn from_start(self) -> Self {
         let place = match self.place {
@@ -149,21 +161,11 @@ impl<F: Float> Samples<F> {
         Self { origin: self.current.map(|segment| segment.start().phase), place, ..self }
     }
 
-    /// The phase of the next sample.
-    fn phase(&self) -> DrivePhase<F> {
-        let phase = self.place.phase();
-        match self.origin {
-            Some(origin) => phase.later_by_half_turns(origin.half_turns()).advanced(origin.angle()),
-            None => phase,
-        }
-    }
-
     /// The next sample, as long as `keep_going` returns [`ControlFlow::Continue`]. `keep_going` is called at
     /// every slide and stop before the sample; a cycle has about 4 + 4/Ω of them. After an interruption the
     /// next call continues from there.
     ///
     /// An error is [`Error::Interrupted`] or an error of the trajectory.
-    #[doc(hidden)]
     pub fn next_while(
         &mut self,
         mut keep_going: impl FnMut() -> ControlFlow<()>,

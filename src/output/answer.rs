@@ -10,21 +10,24 @@ use crate::float::Float;
 use Value::{Count, Flag, Number, Text};
 
 /// A value of an answer; `None` where it does not exist.
-#[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Value<F> {
+    /// A number.
     Number(Option<F>),
+    /// A count.
     Count(Option<u64>),
+    /// A flag.
     Flag(Option<bool>),
+    /// A text.
     Text(&'static str),
     /// Two complex numbers, each as its real and imaginary part.
     Pairs(Option<[(F, F); 2]>),
 }
 
 /// The machines for which an answer has a column.
-#[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum When {
+    /// All.
     Always,
     /// Where damping was given.
     Damping,
@@ -33,11 +36,13 @@ pub enum When {
 }
 
 /// A value of an answer of type `A`.
-#[doc(hidden)]
 #[derive(Debug)]
 pub struct Column<A, F> {
+    /// Its definition.
     pub definition: &'static Definition,
+    /// The machines that have it.
     pub when: When,
+    /// Its value.
     pub of: fn(&A) -> Value<F>,
 }
 
@@ -61,15 +66,14 @@ macro_rules! columns {
 pub(crate) use columns;
 
 /// A response as the columns of the command.
-#[doc(hidden)]
 #[derive(Debug)]
 pub struct ResponseAnswer<'a, F> {
+    /// The response.
     pub response: &'a Response<F>,
     /// Whether outputs that need a search are requested.
     pub peaks: bool,
 }
 
-#[doc(hidden)]
 impl<F: Float> ResponseAnswer<'_, F> {
     columns! {
         answer;

@@ -26,9 +26,12 @@ macro_rules! measures {
                     $(Self::$measure => $unit,)*
                 }
             }
+        }
 
+        // For the programs of this repository.
+        #[doc(hidden)]
+        impl Measure {
             /// The kind of the quantity in the units of a machine.
-            #[doc(hidden)]
             #[must_use]
             pub const fn kind(self) -> Kind {
                 match self {
@@ -38,7 +41,6 @@ macro_rules! measures {
 
             /// The physical size of one unit; that of the largest loop at the best force ratio is half of p₀²/k for
             /// the best force.
-            #[doc(hidden)]
             pub fn size_with<F: Real>(self, scales: &Scales<F>, best_force_ratio: F, stiffness: F) -> F {
                 if matches!(self, Self::EnergyOfLargestLoop) {
                     let best_force = best_force_ratio * scales.force;
@@ -48,7 +50,6 @@ macro_rules! measures {
             }
 
             /// The physical size of one unit.
-            #[doc(hidden)]
             pub fn size<F: Real>(self, scales: &Scales<F>) -> F {
                 match self {
                     $(Self::$measure => {
@@ -141,7 +142,7 @@ macro_rules! facts {
     };
 }
 
-/// The columns of the table, for constants.
+/// The columns of the table, for constants, and what the programs of this repository ask of them.
 #[doc(hidden)]
 impl Definition {
     #[must_use]
@@ -172,12 +173,9 @@ impl Definition {
         without_physical() => physical = PhysicalName::Absent;
         over_base(name: &'static str) => physical = PhysicalName::OverBase(name);
     }
-}
 
-impl Definition {
     /// The name of the output's value in the units of a machine under this excitation; `None` where there is
     /// no such value.
-    #[doc(hidden)]
     #[must_use]
     pub fn physical_name(&self, excitation: Excitation) -> Option<&'static str> {
         match self.physical {
@@ -188,7 +186,6 @@ impl Definition {
     }
 
     /// The output's meaning, with the number of its equation.
-    #[doc(hidden)]
     #[must_use]
     pub fn text(&self) -> String {
         match self.equation {

@@ -5,11 +5,12 @@ use crate::compared::{agreed, compared};
 use crate::random::Random;
 use crate::sampled::{Harmonic, Limit, Load, Machine, Of, record};
 use std::f64::consts::{PI, TAU};
+use stickslip::internal::stops_per_cycle;
 use stickslip::motion::{
     DEFAULT_BUDGET, DrivePhase, FreeDecay, Kind, LongRun, Starts, State, Trajectory, attractors,
     errors_after, periodic_motions, symmetry_breaks,
 };
-use stickslip::{NoStop, Ratios, Verdict, stops_per_cycle};
+use stickslip::{NoStop, Ratios, Verdict};
 
 /// The machine of ratios: displacements in B, times in 1/ω_n.
 fn harmonic([omega, alpha, zeta, eta]: [f64; 4]) -> Harmonic {

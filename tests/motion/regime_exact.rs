@@ -5,9 +5,9 @@
 
 use crate::random::Random;
 use stickslip::float::Mp;
+use stickslip::internal::{Stops, stops_per_cycle};
 use stickslip::motion::{LongRun, State};
 use stickslip::{Border, Cycle, Error, Float, Ratios, Regime, Verdict};
-use stickslip::{Stops, stops_per_cycle};
 
 /// The regime of the exact motion from rest; `None` where it is undecided.
 fn exact_regime<F: Float>(ratios: Ratios<F>) -> Option<Regime> {

@@ -8,12 +8,13 @@ mod damped;
 use super::random::Random;
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
+use stickslip::NoStop;
 use stickslip::cycle::SixReversals;
 use stickslip::float::Mp;
 use stickslip::internal::observed;
+use stickslip::internal::stops_per_cycle;
 use stickslip::motion::{Kind, LongRun, State, Trajectory};
 use stickslip::{Border, Error, Float, Ratios, Regime, Response};
-use stickslip::{NoStop, stops_per_cycle};
 
 /// The force ratios without a stop.
 fn without_stop<F: Float>(omega: F, zeta: F) -> Result<NoStop<F>, Error> {

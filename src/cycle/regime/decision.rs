@@ -11,19 +11,6 @@ use crate::machine::oscillator::{Drive, Oscillator};
 use crate::machine::ratios::Ratios;
 
 impl<F: Float> Verdict<F> {
-    /// Relative error bound of the computed border, in units of [`Float::epsilon`].
-    ///
-    /// The greatest error compared with the same condition at 60 digits is 3.1, over 10⁴ frequency ratios
-    /// from 1e-3 to 1e3, including those near 1 and 1/n down to neighbouring floats. It does not grow at the
-    /// poles, because π/2Ω is reduced exactly.
-    #[doc(hidden)]
-    pub const BORDER_ERROR: i32 = 8;
-
-    /// Relative error bound of the border with damping, where a sum of three terms replaces one. The greatest error compared with the
-    /// same condition at 256 bits is 8.
-    #[doc(hidden)]
-    pub const DAMPED_BORDER_ERROR: i32 = 16;
-
     /// The verdict at exact ratios.
     ///
     /// Where Ω = 1/(2n) is a power of two, the border 1/Ω² − 1 is exact, and so is the verdict. Any other
@@ -105,6 +92,21 @@ impl<F: Float> Verdict<F> {
     fn over(omega: (F, F), alpha: (F, F)) -> Result<Self, Error> {
         Ok(decide(omega, alpha, &border_range(omega.0, omega.1)?))
     }
+}
+
+// For the programs of this repository.
+#[doc(hidden)]
+impl<F: Float> Verdict<F> {
+    /// Relative error bound of the computed border, in units of [`Float::epsilon`].
+    ///
+    /// The greatest error compared with the same condition at 60 digits is 3.1, over 10⁴ frequency ratios
+    /// from 1e-3 to 1e3, including those near 1 and 1/n down to neighbouring floats. It does not grow at the
+    /// poles, because π/2Ω is reduced exactly.
+    pub const BORDER_ERROR: i32 = 8;
+
+    /// Relative error bound of the border with damping, where a sum of three terms replaces one. The greatest error compared with the
+    /// same condition at 256 bits is 8.
+    pub const DAMPED_BORDER_ERROR: i32 = 16;
 }
 
 /// The verdict at Ω = 1/(2n).

@@ -54,30 +54,6 @@ pub struct Mp<const LIMBS: usize> {
 }
 
 impl<const LIMBS: usize> Mp<LIMBS> {
-    /// Bits of the significand.
-    #[doc(hidden)]
-    pub const BITS: u32 = {
-        assert!(LIMBS > 0, "a number needs a limb");
-        assert!(LIMBS <= 1 << 20, "a number lives on the stack");
-        assert!(gmp::NUMB_BITS == 64, "a limb has 64 bits");
-        64 * LIMBS as u32
-    };
-
-    /// +0.
-    #[doc(hidden)]
-    pub const ZERO: Self = Self {
-        kind: mpfr::ZERO_KIND,
-        words: Self::BITS / 64,
-        exponent: 0,
-        limbs: [MaybeUninit::uninit(); LIMBS],
-    };
-    /// +∞.
-    #[doc(hidden)]
-    pub const INFINITY: Self = Self { kind: mpfr::INF_KIND, ..Self::ZERO };
-    /// Not a number.
-    #[doc(hidden)]
-    pub const NAN: Self = Self { kind: mpfr::NAN_KIND, ..Self::ZERO };
-
     /// The number of limbs of results now.
     #[inline]
     pub(super) fn words() -> u32 {
@@ -187,20 +163,6 @@ impl<const LIMBS: usize> Mp<LIMBS> {
             mpfr::set_inf(r, 1);
             mpfr::nextbelow(r);
         })
-    }
-
-    /// The distance from `|self|` to the next larger number. For zero it is the least positive number; for an
-    /// infinity or NaN it is NaN.
-    #[doc(hidden)]
-    #[must_use]
-    pub fn ulp(self) -> Self {
-        let x = self.abs();
-        // SAFETY: the argument is valid and only read; the result starts as a copy of it.
-        let next = Self::output(|r| unsafe {
-            mpfr::set(r, &x.input(), rnd_t::RNDN);
-            mpfr::nextabove(r);
-        });
-        next.minus(x)
     }
 
     /// The order of two numbers; `None` where one is NaN.
@@ -320,6 +282,45 @@ impl<const LIMBS: usize> Mp<LIMBS> {
         // SAFETY: `result` is a valid number of the same precision; `x` is only read.
         unsafe { mpfr::set(result.as_raw_mut(), &x, rnd_t::RNDN) };
         result
+    }
+}
+
+// For the programs of this repository.
+#[doc(hidden)]
+impl<const LIMBS: usize> Mp<LIMBS> {
+    /// Bits of the significand.
+    pub const BITS: u32 = {
+        assert!(LIMBS > 0, "a number needs a limb");
+        assert!(LIMBS <= 1 << 20, "a number lives on the stack");
+        assert!(gmp::NUMB_BITS == 64, "a limb has 64 bits");
+        64 * LIMBS as u32
+    };
+
+    /// +0.
+    pub const ZERO: Self = Self {
+        kind: mpfr::ZERO_KIND,
+        words: Self::BITS / 64,
+        exponent: 0,
+        limbs: [MaybeUninit::uninit(); LIMBS],
+    };
+
+    /// +∞.
+    pub const INFINITY: Self = Self { kind: mpfr::INF_KIND, ..Self::ZERO };
+
+    /// Not a number.
+    pub const NAN: Self = Self { kind: mpfr::NAN_KIND, ..Self::ZERO };
+
+    /// The distance from `|self|` to the next larger number. For zero it is the least positive number; for an
+    /// infinity or NaN it is NaN.
+    #[must_use]
+    pub fn ulp(self) -> Self {
+        let x = self.abs();
+        // SAFETY: the argument is valid and only read; the result starts as a copy of it.
+        let next = Self::output(|r| unsafe {
+            mpfr::set(r, &x.input(), rnd_t::RNDN);
+            mpfr::nextabove(r);
+        });
+        next.minus(x)
     }
 }
 

@@ -17,7 +17,6 @@ use core::ops::ControlFlow;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
-#[doc(hidden)]
 pub enum Amplitude {
     /// The greatest displacement |x|, in B.
     Displacement,
@@ -60,7 +59,6 @@ impl Trust {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
-#[doc(hidden)]
 pub struct Reached<F> {
     /// The amplitude; `None` where the motion is unbounded, or no limit was found.
     pub value: Option<F>,

@@ -79,25 +79,6 @@ impl<F: Float> LongRun<F> {
         }
     }
 
-    /// The name of this kind of limit, one of [`LongRun::NAMES`]: [`Display`](core::fmt::Display) as a static
-    /// text.
-    #[doc(hidden)]
-    #[must_use]
-    pub const fn name(&self) -> &'static str {
-        match self {
-            Self::Periodic(_) => Self::NAMES[0],
-            Self::Family(_) => Self::NAMES[1],
-            Self::Rest(_) => Self::NAMES[2],
-            Self::Irregular(_) => Self::NAMES[3],
-            Self::Unbounded { .. } => Self::NAMES[4],
-            Self::NotConverged { .. } => Self::NAMES[5],
-        }
-    }
-
-    /// The names of all kinds of limit.
-    #[doc(hidden)]
-    pub const NAMES: [&'static str; 6] = ["periodic", "family", "rest", "irregular", "none", "not-converged"];
-
     /// The number of periods of the drive for which the motion was followed; `None` for unbounded motion,
     /// which is known without following it.
     pub const fn periods(&self) -> Option<F> {
@@ -128,6 +109,27 @@ impl<F: Float> LongRun<F> {
         let irregular = self.irregular().map(|motion| (motion.min_displacement, motion.max_displacement));
         irregular.or_else(|| self.steady_state().map(of_cycle))
     }
+}
+
+// For the programs of this repository.
+#[doc(hidden)]
+impl<F: Float> LongRun<F> {
+    /// The name of this kind of limit, one of [`LongRun::NAMES`]: [`Display`](core::fmt::Display) as a static
+    /// text.
+    #[must_use]
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::Periodic(_) => Self::NAMES[0],
+            Self::Family(_) => Self::NAMES[1],
+            Self::Rest(_) => Self::NAMES[2],
+            Self::Irregular(_) => Self::NAMES[3],
+            Self::Unbounded { .. } => Self::NAMES[4],
+            Self::NotConverged { .. } => Self::NAMES[5],
+        }
+    }
+
+    /// The names of all kinds of limit.
+    pub const NAMES: [&'static str; 6] = ["periodic", "family", "rest", "irregular", "none", "not-converged"];
 }
 
 /// Displays the kind of limit, as the command prints it.

@@ -110,7 +110,6 @@ pub(super) fn is_hidden<F: Float>(ratios: Ratios<F>, border: &Border<F>, steady:
 /// Stops and velocity zeros in one cycle of the steady motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[doc(hidden)]
 pub struct Stops {
     /// The number of stops of finite duration.
     pub sticks: u32,
@@ -133,7 +132,7 @@ pub struct Stops {
 ///
 /// ```
 /// use stickslip::Ratios;
-/// use stickslip::stops_per_cycle;
+/// use stickslip::internal::stops_per_cycle;
 /// let stops = |omega, alpha| Ok::<_, stickslip::Error>(stops_per_cycle(Ratios::new(omega, alpha)?)?.map(|s| (s.sticks, s.velocity_zeros)));
 /// assert_eq!(stops(0.1, 3.0)?, Some((4, 4)));
 /// assert_eq!(stops(0.4, 6.0)?, Some((2, 4))); // two of the zeros are reversals without a stop
@@ -146,7 +145,6 @@ pub struct Stops {
 /// [`Error::Undecided`] where a stop, or the clearance without one, is below the accuracy of the motion;
 /// [`Error::StaticFriction`] where η > 1; [`Error::NotSettled`] where the motion creeps for longer than
 /// [`crate::motion::DEFAULT_BUDGET`] periods; and as for [`crate::motion::Trajectory::new`].
-#[doc(hidden)]
 pub fn stops_per_cycle<F: Float>(ratios: Ratios<F>) -> Result<Option<Stops>, Error> {
     let limit = LongRun::from_start(ratios.with_one_friction()?, State::default())?;
     if limit.steady_state().is_some() && observed(ratios, &limit).by_border {

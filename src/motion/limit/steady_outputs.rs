@@ -32,7 +32,6 @@ macro_rules! steady_outputs {
         /// ```
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
         #[non_exhaustive]
-        #[doc(hidden)]
         #[allow(missing_docs, reason = "each is the field or the method of that name")]
         pub enum SteadyOutput {
             $($output,)*
@@ -133,17 +132,19 @@ impl SteadyOutput {
 
 /// A limit with all its outputs.
 #[derive(Debug)]
-#[doc(hidden)]
 pub struct SteadyAnswer<'a, F> {
+    /// The ratios.
     pub ratios: Ratios<F>,
+    /// The limit.
     pub limit: &'a LongRun<F>,
+    /// The regime and the counts of the limit.
     pub seen: Observed,
+    /// The error measures of a periodic motion.
     pub errors: Option<ErrorMeasures<F>>,
     /// The peaks, if requested.
     pub peaks: Option<Peaks<F>>,
 }
 
-#[doc(hidden)]
 impl<'a, F: Float> SteadyAnswer<'a, F> {
     columns! {
         answer;

@@ -97,6 +97,7 @@ pub fn attractors<F: Float>(
     Attractors::of_limits(limits?)
 }
 
+#[doc(hidden)]
 impl<F: Float> Attractors<F> {
     /// Collects the limits of several starts that were followed elsewhere, for example on several threads.
     /// The limits are given in the order of the starts, and the answer does not depend on the threads.
@@ -109,7 +110,6 @@ impl<F: Float> Attractors<F> {
     ///
     /// # Errors
     /// As for [`crate::motion::Trajectory::new`].
-    #[doc(hidden)]
     pub fn of_limits(limits: impl IntoIterator<Item = LongRun<F>>) -> Result<Self, Error> {
         let mut all = Self::new();
         limits.into_iter().try_for_each(|limit| all.add(limit))?;
@@ -117,14 +117,12 @@ impl<F: Float> Attractors<F> {
     }
 
     /// The number of starts that had not settled.
-    #[doc(hidden)]
     #[must_use]
     pub fn unsettled(&self) -> usize {
         self.of_start.iter().filter(|place| place.is_none()).count()
     }
 
     /// An empty list; [`Attractors::add`] fills it.
-    #[doc(hidden)]
     pub const fn new() -> Self {
         Self { limits: Vec::new(), of_start: Vec::new() }
     }
@@ -133,7 +131,6 @@ impl<F: Float> Attractors<F> {
     ///
     /// # Errors
     /// As for [`Signature::of`].
-    #[doc(hidden)]
     pub fn add(&mut self, limit: LongRun<F>) -> Result<(), Error> {
         let signature = Signature::of(&limit)?;
         if self.count(&signature) {
@@ -158,7 +155,6 @@ impl<F: Float> Attractors<F> {
     }
 
     /// The index of the limit with this signature, if it is among those found.
-    #[doc(hidden)]
     pub fn place_of(&self, signature: &Signature<F>) -> Option<usize> {
         self.limits.iter().position(|known| known.compare(signature) == Likeness::Same)
     }
@@ -166,7 +162,6 @@ impl<F: Float> Attractors<F> {
     /// Counts the next start by the signature of its limit, and returns whether it was counted: the limit
     /// must be among those found, or the start must not have settled. The signature represents a limit that
     /// was found earlier, for example by an interrupted run.
-    #[doc(hidden)]
     pub fn count(&mut self, signature: &Signature<F>) -> bool {
         if matches!(signature, Signature::NotConverged) {
             self.of_start.push(None);

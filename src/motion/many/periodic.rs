@@ -39,7 +39,6 @@ pub struct PeriodicMotion<F> {
 
 /// The periodic motions that a search found, each once, in the order it met them.
 #[derive(Debug, Clone, PartialEq)]
-#[doc(hidden)]
 pub struct PeriodicMotions<F> {
     found: Vec<PeriodicMotion<F>>,
 }
@@ -130,7 +129,6 @@ pub fn periodic_motions<F: Float>(
 ///
 /// # Errors
 /// [`Error::Interrupted`] where `keep_going` ends the search, and as for [`crate::motion::Trajectory::new`].
-#[doc(hidden)]
 pub fn periodic_motions_from<F: Float>(
     ratios: Ratios<F>,
     start: State<F>,

@@ -41,7 +41,6 @@ impl<F: Float> Starts<F> {
     }
 
     /// The range R.
-    #[doc(hidden)]
     pub const fn reach(&self) -> F {
         self.reach
     }

@@ -16,10 +16,11 @@ use crate::machine::ratios::finite;
 use crate::output::Kind;
 
 /// An answer: a number, which may not exist, or a count.
-#[doc(hidden)]
 #[derive(Debug)]
 pub enum Entry<'a, T> {
+    /// A number.
     Value(Option<&'a T>),
+    /// A count.
     Count(u64),
 }
 

@@ -203,18 +203,6 @@ impl<F: Float> Record<F> {
         self.mapped(|sample| sample * factor)
     }
 
-    /// This record with every sample replaced by this function of it.
-    ///
-    /// # Errors
-    /// Where a value of the function is not finite.
-    #[doc(hidden)]
-    pub fn mapped(mut self, of: impl Fn(F) -> F) -> Result<Self, Error> {
-        for sample in &mut self.samples {
-            *sample = of(*sample);
-        }
-        self.checked()
-    }
-
     /// The samples of this record within two times, both included; their times stay as they are.
     ///
     /// Times are compared as decimals, not as the numbers to which these were rounded: two that differ by no more than
@@ -238,21 +226,6 @@ impl<F: Float> Record<F> {
         (samples.len() == self.samples.len())
             .then(|| Self { samples, ..self.clone() }.checked().ok())
             .flatten()
-    }
-
-    /// The places of the samples that [`Record::between`] keeps.
-    ///
-    /// # Errors
-    /// Where the times are not finite, or are not in order.
-    #[doc(hidden)]
-    pub fn places_between(&self, from: F, to: F) -> Result<Range<usize>, Error> {
-        positive(Quantity::Duration, finite(Quantity::Time, to)? - finite(Quantity::Time, from)?)?;
-        let of_decimals = F::exp2i(-48).or_larger(F::epsilon() * F::int(16));
-        let same = self.time(0).abs().or_larger(self.end().abs()) * of_decimals;
-        let places = 0..self.samples.len();
-        let first = places.clone().take_while(|&i| self.time(i) < from - same).count();
-        let end = places.take_while(|&i| self.time(i) <= to + same).count();
-        Ok(first..end.max(first))
     }
 
     /// This record with another load after its last sample. By default a force and an acceleration are zero, and a support
@@ -319,8 +292,44 @@ impl<F: Float> Record<F> {
         }
     }
 
+    /// The length of the step after a sample.
+    pub(super) fn step_after(&self, index: usize) -> F {
+        match &self.times {
+            Times::Equal(_, step) => *step,
+            Times::Each(_) => self.time(index.saturating_add(1)) - self.time(index),
+        }
+    }
+}
+
+// For the programs of this repository.
+#[doc(hidden)]
+impl<F: Float> Record<F> {
+    /// This record with every sample replaced by this function of it.
+    ///
+    /// # Errors
+    /// Where a value of the function is not finite.
+    pub fn mapped(mut self, of: impl Fn(F) -> F) -> Result<Self, Error> {
+        for sample in &mut self.samples {
+            *sample = of(*sample);
+        }
+        self.checked()
+    }
+
+    /// The places of the samples that [`Record::between`] keeps.
+    ///
+    /// # Errors
+    /// Where the times are not finite, or are not in order.
+    pub fn places_between(&self, from: F, to: F) -> Result<Range<usize>, Error> {
+        positive(Quantity::Duration, finite(Quantity::Time, to)? - finite(Quantity::Time, from)?)?;
+        let of_decimals = F::exp2i(-48).or_larger(F::epsilon() * F::int(16));
+        let same = self.time(0).abs().or_larger(self.end().abs()) * of_decimals;
+        let places = 0..self.samples.len();
+        let first = places.clone().take_while(|&i| self.time(i) < from - same).count();
+        let end = places.take_while(|&i| self.time(i) <= to + same).count();
+        Ok(first..end.max(first))
+    }
+
     /// The longest step.
-    #[doc(hidden)]
     pub fn longest_step(&self) -> F {
         match &self.times {
             Times::Equal(_, step) => *step,
@@ -328,14 +337,6 @@ impl<F: Float> Record<F> {
                 let ends = times.iter().skip(1);
                 ends.zip(times).fold(F::int(0), |most, (&end, &start)| most.or_larger(end - start))
             }
-        }
-    }
-
-    /// The length of the step after a sample.
-    pub(super) fn step_after(&self, index: usize) -> F {
-        match &self.times {
-            Times::Equal(_, step) => *step,
-            Times::Each(_) => self.time(index.saturating_add(1)) - self.time(index),
         }
     }
 }
