@@ -274,5 +274,20 @@ impl core::fmt::Display for Output {
     }
 }
 
+impl<F: Float> Response<F> {
+    /// An output of this answer; `None` where it does not exist, such as the displacement of a body that sticks.
+    ///
+    /// ```
+    /// use stickslip::{Output, Ratios, Response};
+    /// let response = Response::new(Ratios::new(1.5, 2.5)?);
+    /// assert!((response.get(Output::MaxDisplacement).unwrap() - 1.632_993_f64).abs() < 1e-6);
+    /// # Ok::<(), stickslip::Error>(())
+    /// ```
+    #[must_use]
+    pub fn get(&self, output: Output) -> Option<F> {
+        output.of(self)
+    }
+}
+
 #[cfg(test)]
 mod tests;

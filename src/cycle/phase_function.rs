@@ -31,10 +31,10 @@ use cotangent::cotangent_defect;
 pub(crate) use excess::{excess_close_to_one, is_close_to_one, sum};
 pub(crate) use frequency::{Frequency, Offset};
 use nearest::{nearest_of_three, nearest_quarter};
+use parts::is_beside_one;
 #[cfg(feature = "batch")]
 pub(crate) use parts::one_minus_moderate_square;
 pub use parts::{PhaseFunction, phase_function_of_tangent};
-use parts::{is_beside_one, remainder};
 pub(crate) use parts::{one_minus_square, one_minus_square_wide, reduced, tangent, turned};
 pub(crate) use reduction::LowAngle;
 pub(crate) use slope::arc_less_sine;

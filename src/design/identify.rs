@@ -33,8 +33,6 @@ use crate::machine::error::{Error, Quantity};
 use crate::machine::oscillator::Oscillator;
 use crate::machine::ratios::positive;
 use fit::{identified, in_ratios, sample};
-#[cfg(not(feature = "std"))]
-use num_traits::Float as _;
 pub use reading::{AmplitudeKind, Identified, Measurement, PhaseKind, Reading, Residual};
 use unknown::{Scaled, fitted};
 

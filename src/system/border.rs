@@ -34,6 +34,7 @@ use alloc::vec::Vec;
 /// The least load at which a contact never sticks.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct Border<F> {
     /// The least load as a multiple of the given one. From it on the contact never sticks in a motion with two
     /// reversals a period.
@@ -49,6 +50,7 @@ pub struct Border<F> {
 /// The cycle of two reversals a period.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct Cycle<F> {
     /// The greatest stretch y of the contact, from the middle of its motion: Δ₀.
     pub max_displacement: F,
@@ -120,6 +122,12 @@ impl<F: Float> Friction<F> {
         }
         if !given.records.is_empty() {
             return Err(unsupported("records", "must be absent: the closed form is that of a harmonic load"));
+        }
+        if !given.massless.is_empty() {
+            return Err(unsupported(
+                "mass",
+                "must be > 0 at each coordinate: the closed form is that of bodies with mass",
+            ));
         }
         let (n, frequency) = (given.n, *frequency);
         let constant: Vec<F> = given.load.rows().filter_map(|row| row.last().copied()).collect();

@@ -93,7 +93,7 @@ fn links(described: &Described) -> Vec<Link> {
                     if normal.is_some() { format!("µ = {}", digits(*friction)) } else { force(*friction) };
                 (Symbol::Elastic, format!("{}, {friction}", quantity(described, *stiffness, Of::Stiffness)))
             }
-            Kind::Stop { gap, .. } => {
+            Kind::Stop { gap, .. } | Kind::HardStop { gap, .. } => {
                 (Symbol::Stop, format!("gap {}", quantity(described, *gap, Of::Length)))
             }
         };

@@ -9,8 +9,8 @@ use std::io::Write;
 use stickslip::system::{Beyond, Border, Cycle, Element, Kind, Law, Motion, MovedBy, Steady, SteadyKind};
 use stickslip_front::inputs::units::{Kind as Of, System as Units};
 use stickslip_front::system::{
-    Described, Description, NamedSystem, border_verdict, frequency_of, kind_of, plural, sliding_verdict,
-    steady_verdict, with_unit,
+    Described, Description, NamedSystem, border_verdict, frequency_of, is_hard, kind_of, plural,
+    sliding_verdict, steady_verdict, with_unit,
 };
 
 /// A natural frequency, or the growth of a direction whose stiffness is negative.
@@ -166,6 +166,11 @@ fn of_element(element: &Element<f64>, described: &Described, units: Option<&Unit
             with_unit(*gap, units, Of::Length),
             with_unit(*stiffness, units, Of::Stiffness)
         ),
+        Kind::HardStop { gap, restitution } => format!(
+            "stop{between} beyond {}, restitution {}",
+            with_unit(*gap, units, Of::Length),
+            digits(*restitution)
+        ),
     }
 }
 
@@ -240,7 +245,7 @@ pub(super) fn motion(described: &Described, motion: &Motion<f64>, out: &mut impl
     for (element, found) in described.model.elements.iter().zip(&motion.elements) {
         writeln!(out, "{} ({})", element.name, kind_of(element))?;
         let rest = match element.kind {
-            Kind::Stop { .. } => "open",
+            Kind::Stop { .. } | Kind::HardStop { .. } => "open",
             Kind::Elastic { .. } => "holds",
             _ => "sticks",
         };
@@ -250,6 +255,9 @@ pub(super) fn motion(described: &Described, motion: &Motion<f64>, out: &mut impl
             rest,
             format!("{}{seconds}, {}", digits(found.time_at_rest), plural(found.stops, "time", "times")),
         )?;
+        if is_hard(element) {
+            line(out, "blows", digits(found.blows as f64))?;
+        }
         line(out, "work", work(found.work))?;
     }
     writeln!(out, "energy")?;
@@ -263,7 +271,10 @@ pub(super) fn motion(described: &Described, motion: &Motion<f64>, out: &mut impl
     for event in motion.events.iter().take(LISTED) {
         let name = described.name_of(event.element);
         let seconds = if described.units.is_some() { " s" } else { "" };
-        writeln!(out, "  {:>14}{seconds}  {name}: {}", digits(event.time), event.kind)?;
+        let from_to = event.velocities.map_or_else(String::new, |(before, after)| {
+            format!(" from {} to {}{velocity}", digits(before), digits(after))
+        });
+        writeln!(out, "  {:>14}{seconds}  {name}: {}{from_to}", digits(event.time), event.kind)?;
     }
     if motion.events.len() > LISTED {
         let more = motion.events.len() - LISTED;

@@ -44,7 +44,7 @@ class System:
         force. ``peak`` (static over kinetic friction), ``stiffness`` (of an elastic contact), ``moves`` (the motion of the
         other side) and ``name`` may be left out.
     stops : list of dict
-        ``between``, ``gap``, ``stiffness``, ``damping``.
+        ``between``, ``gap``, and ``stiffness`` and ``damping``, or a ``restitution`` from 0 to 1.
     forces : list of dict
         ``on`` a body: ``amplitude``, ``frequency``, ``phase`` and ``shape``, and ``constant``, and ``record``, a file that may
         have ``repeats``. A bare frequency is in
@@ -621,9 +621,10 @@ def _motion(found: Mapping[str, Any], duration: float) -> dict[str, Any]:
     }
     absolute = found.get("max_absolute_acceleration")
     in_space = None if absolute is None else np.array(absolute, dtype=float)
-    names = ("kind", "time_at_rest", "stops", "work")
+    names = ("kind", "time_at_rest", "stops", "blows", "work")
     elements = {
-        element["name"]: ElementMotion({name: element[name] for name in names}) for element in found["elements"]
+        element["name"]: ElementMotion({name: element.get(name, 0) for name in names})
+        for element in found["elements"]
     }
     events = found["events"]
     return {
@@ -637,6 +638,10 @@ def _motion(found: Mapping[str, Any], duration: float) -> dict[str, Any]:
         "event_time": np.array([event["time"] for event in events], dtype=float),
         "event_element": np.array([event["name"] for event in events], dtype=np.str_),
         "event_kind": np.array([event["kind"] for event in events], dtype=np.str_),
+        **{
+            f"event_{name}": np.array([event.get(name, np.nan) for event in events], dtype=float)
+            for name in ("velocity_before", "velocity_after")
+        },
         "load_work": found["load_work"],
         "damper_work": found["damper_work"],
         "stored_energy": found["stored_energy"],

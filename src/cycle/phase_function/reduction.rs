@@ -2,6 +2,8 @@
 
 use super::PhaseFunction;
 #[cfg(feature = "batch")]
+use super::parts::remainder;
+#[cfg(feature = "batch")]
 use super::value::of_remainder;
 use crate::float::Float;
 use crate::float::pair::Pair;
@@ -29,7 +31,7 @@ impl<F: Float> LowAngle<F> {
         let quarter = (-four).mul_add((q * F::ratio(1, 4)).round(), q);
         let is_even = quarter.abs() != one;
         let is_turned = (quarter.abs() == F::int(2)) | (quarter == -one);
-        (Self { is_even, is_turned, w: super::remainder(omega, rest) }, rest.abs() * F::int(2) <= omega)
+        (Self { is_even, is_turned, w: remainder(omega, rest) }, rest.abs() * F::int(2) <= omega)
     }
 
     /// The angle of a phase function for Ω < 1/2.

@@ -3,8 +3,6 @@
 use crate::named::named;
 use crate::uncertainty::Estimate;
 use alloc::vec::Vec;
-#[cfg(not(feature = "std"))]
-use num_traits::Float as _;
 
 /// One point of a measured response curve.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,7 +1,7 @@
 //! What a number type breaks, and how two numbers are compared.
 
 use super::super::Float;
-use alloc::string::String;
+use alloc::string::{String, ToString};
 use core::fmt::Display;
 
 /// A promise that a number type breaks.
