@@ -103,7 +103,7 @@ impl<F: Float> Friction<F> {
             ));
         };
         let Rule::Contact { pieces, peak, normal } = &part.rule else {
-            return Err(unsupported(&part.name, "must be a contact that is neither elastic nor a stop"));
+            return Err(unsupported(&part.name, "must be neither elastic nor a stop"));
         };
         let ([piece], None) = (pieces.as_slice(), normal) else {
             return Err(unsupported(&part.name, "must have one friction force, at every speed and time"));

@@ -54,6 +54,15 @@ class Asker {
     this.begun = undefined;
   }
 
+  // Leaves a question of a kind unanswered.
+  drop(kind) {
+    this.waiting.delete(kind);
+    if (this.running?.kind !== kind) return;
+    this.worker.terminate();
+    this.start();
+    this.next();
+  }
+
   // Ends the work; each question is answered with that.
   stop() {
     const left = [...(this.running ? [this.running] : []), ...this.waiting.values()];

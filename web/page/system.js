@@ -5,7 +5,7 @@ const SYSTEM_FIELDS = [
   ["Masses", [["m1", "lower mass", "1 t"], ["m2", "upper mass", "500 kg"]]],
   ["Springs", [["k1", "ground – lower", "200 N/mm"], ["k2", "lower – upper", "300 N/mm"]]],
   ["Dampers", [["c1", "ground – lower", "0.3 N*s/mm"], ["c2", "lower – upper", ""]]],
-  ["Contact", [["contact", "between", "ground,lower"], ["friction", "friction", "450 N"], ["elastic", "its stiffness, if elastic", ""], ["peak", "static ratio, if > 1", ""]]],
+  ["Contact", [["contact", "between", "ground,lower"], ["friction", "friction", "450 N"], ["elastic", "its stiffness, if elastic", ""], ["peak", "static ratio, if > 1", ""], ["falls", "friction at speed", ""], ["over", "from a speed of", ""], ["belt", "belt: ground moves", ""]]],
   ["End stop", [["stop", "between", "lower,upper"], ["gap", "gap, if there is one", ""], ["stop_stiffness", "stiffness", "10 kN/mm"]]],
   ["Load", [["load", "kind", "upper"], ["amplitude", "amplitude", "1.5 kN"], ["frequency", "frequency", "3 Hz"]]],
 ];
@@ -15,12 +15,15 @@ const CHOICES = {
   load: [["upper", "force, upper"], ["lower", "force, lower"], ["base", "base moves"]],
 };
 const BARE_TWO = {
-  m1: "F*s^2/L", m2: "F*s^2/L", k1: "F/L", k2: "F/L", c1: "F*s/L", c2: "F*s/L", friction: "F", elastic: "F/L", gap: "L", stop_stiffness: "F/L", amplitude: "F",
+  m1: "F*s^2/L", m2: "F*s^2/L", k1: "F/L", k2: "F/L", c1: "F*s/L", c2: "F*s/L", friction: "F", elastic: "F/L", gap: "L", stop_stiffness: "F/L", falls: "F", over: "L/s", belt: "L/s", amplitude: "F",
 };
 const SYSTEM_PRESETS = {
   machine: ["Machine on a slide", {}],
   storeys: ["Friction damper between storeys", { units: "kN,mm", m1: "20 t", m2: "20 t", k1: "20 kN/mm", k2: "20 kN/mm", c1: "0.02 kN*s/mm", c2: "0.02 kN*s/mm", contact: "lower,upper", friction: "100 kN", elastic: "40 kN/mm", load: "base", amplitude: "0.2 g", frequency: "3 Hz" }],
   building: ["Building on a slider", { units: "kN,mm", m1: "100 t", m2: "100 t", k1: "", k2: "50 kN/mm", c1: "", c2: "0.2 kN*s/mm", friction: "157 kN", load: "base", amplitude: "0.15 g", frequency: "1.5 Hz" }],
+  brake: ["Squealing brake", { m1: "2 kg", m2: "5 kg", k1: "2 kN/mm", k2: "3 kN/mm", c1: "0.05 N*s/mm", c2: "0.1 N*s/mm", friction: "500 N", falls: "300 N", over: "2 m/s", belt: "0.5 m/s", peak: "1.2", amplitude: "" }],
+  belt: ["Block on a belt", { m1: "20 kg", m2: "5 kg", k1: "20 N/mm", k2: "5 N/mm", c1: "0.01 N*s/mm", c2: "0.005 N*s/mm", friction: "100 N", falls: "60 N", over: "0.3 m/s", belt: "0.05 m/s", amplitude: "" }],
+  free: ["Block without a spring", { k1: "", c1: "", m2: "50 kg", k2: "20 N/mm", c2: "0.05 N*s/mm", friction: "450 N", load: "lower", amplitude: "1.5 kN", frequency: "3 Hz" }],
   rattle: ["Rattle against a stop", { gap: "1 mm", load: "lower", amplitude: "1.5 kN", frequency: "4 Hz" }],
 };
 const BASE_SYSTEM = { units: "N,mm", ...Object.fromEntries(SYSTEM_FIELDS.flatMap(([, rows]) => rows.map(([name, , first]) => [name, first]))) };
@@ -82,9 +85,12 @@ function systemText(of = two) {
     if (has(c)) lines.push(`damping = ${quoted(of[c])}`);
   }
   if (has("friction") && !(isZero(of.friction) && !has("elastic"))) {
-    lines.push("[[contacts]]", 'name = "contact"', between("contact"), `friction = ${quoted(of.friction)}`);
+    // A friction that falls with speed is straight from rest to the speed from which it stays.
+    const law = `law = [["0 m/s", ${quoted(of.friction)}], [${quoted(of.over ?? "")}, ${quoted(of.falls ?? "")}], ["1e6 m/s", ${quoted(of.falls ?? "")}]]`;
+    lines.push("[[contacts]]", 'name = "contact"', between("contact"), has("falls") ? law : `friction = ${quoted(of.friction)}`);
+    if (has("belt")) lines.push(`moves = ${quoted(of.belt)}`);
     if (has("elastic")) lines.push(`stiffness = ${quoted(of.elastic)}`);
-    if (has("peak")) lines.push(`static_ratio = ${quoted(of.peak)}`);
+    if (has("peak")) lines.push(`${has("falls") ? "peak" : "static_ratio"} = ${quoted(of.peak)}`);
   }
   if (has("gap")) lines.push("[[stops]]", 'name = "stop"', between("stop"), `gap = ${quoted(of.gap)}`, `stiffness = ${quoted(of.stop_stiffness)}`);
   if (of.load === "base") lines.push("[base]", `acceleration = { amplitude = ${quoted(of.amplitude)}, frequency = ${quoted(of.frequency)} }`);
@@ -103,6 +109,7 @@ function changedSystem() {
   // What is of another system is dimmed, gives no file, and after a moment has no verdict.
   if (twoAnswer?.text !== text) {
     shown.systemCurve = undefined;
+    slow.drop("system-curve");
     $("system-shown").classList.add("stale");
     clearTimeout(systemLate);
     systemLate = setTimeout(() => {
@@ -130,7 +137,10 @@ function askSystemCurve(text) {
   clearTimeout(systemTimer);
   systemTimer = setTimeout(() => {
     const own = parts(two.frequency);
-    if (!own || systemText() !== text || !twoAnswer) return;
+    if (systemText() !== text || !twoAnswer) return;
+    // Without a load there is nothing over its frequency.
+    $("two-curve").hidden = !own || !twoAnswer.description.harmonics.length;
+    if ($("two-curve").hidden) return;
     const modes = [...twoAnswer.description.natural_frequencies, ...twoAnswer.description.natural_frequencies_stuck, ...twoAnswer.description.harmonics].filter((x) => x > 0).map((x) => x / (2 * Math.PI));
     const [low, high] = [Math.min(...modes) / 2, Math.max(...modes) * 1.6];
     const even = Array.from({ length: 160 }, (_, i) => low * (high / low) ** (i / 159));
@@ -193,8 +203,11 @@ function showSystem(found) {
     const speed = motion.mean_velocity?.[i];
     if (speed) entry(list, `${name}: drift`, `${readable(speed, units.velocity)} in the mean`, `${speed} ${units.velocity}`);
   });
-  if (motion.multipliers?.length) {
-    const most = Math.max(...motion.multipliers.map(([re, im]) => Math.hypot(re, im)));
+  // Without a load a motion that begins later is the same motion: the multiplier of that is 1, and tells nothing.
+  const multipliers = [...(motion.multipliers ?? [])].sort((a, b) => Math.hypot(b[0] - 1, b[1]) - Math.hypot(a[0] - 1, a[1]));
+  if (!found.description.harmonics.length) multipliers.pop();
+  if (multipliers.length) {
+    const most = Math.max(...multipliers.map(([re, im]) => Math.hypot(re, im)));
     entry(list, "a disturbance", `${most < 1 ? "shrinks" : "grows"} to ${four(most)} of its size in each period`, String(most));
   }
   const isMoving = Boolean(samples);
@@ -296,7 +309,7 @@ function placeSystem(now) {
   });
   const isRubbing = has("friction") && !(isZero(two.friction) && !has("elastic"));
   const [below, above] = two.contact.split(",");
-  const friction = `friction ${two.friction}${has("elastic") ? `, elastic ${two.elastic}` : ""}`;
+  const friction = `friction ${two.friction}${has("falls") ? ` to ${two.falls}` : ""}${has("elastic") ? `, elastic ${two.elastic}` : ""}`;
   if (isRubbing && below === "lower") {
     path(plates(of.lower[1], of.upper[0], 138, has("elastic")), ink.stick);
     words((of.lower[1] + of.upper[0]) / 2, 127, two.friction);
@@ -311,6 +324,11 @@ function placeSystem(now) {
       words(left + width / 2, 182, friction);
     } else for (const x of [left + 18, right - 18]) parts.push(node("circle", { cx: x, cy: 154, r: 5, fill: ink.paper, stroke: ink.border, "stroke-width": 2 }));
   });
+  if (isRubbing && has("belt")) {
+    const x = below === "ground" ? of[above][1] + 40 : 480;
+    path(`M${x} 178h48m-8 -5l8 5l-8 5`, ink.second, { "stroke-width": 2.5 });
+    words(x + 56, 182, `belt ${two.belt}`, { "text-anchor": "start" });
+  }
   // The stop is an arm of its first body, which the second meets when it is beyond the gap.
   if (has("gap")) {
     const [first, second] = two.stop.split(",");

@@ -1178,6 +1178,28 @@ test("the sketch of two masses has what their fields have", async () => {
   await closed(page);
 });
 
+test("a belt and a friction that falls with speed are in the file, the sketch and the presets", async () => {
+  const page = await opened("#system=1");
+  for (const [name, words] of [["Squealing brake", /^Periodic: .*with one rest/], ["Block on a belt", /^Periodic: .*with one rest/]]) {
+    await page.click(`#system-presets button:text-is("${name}")`);
+    await page.waitForFunction(() => twoAnswer?.text === systemText());
+    assert.match(await page.textContent("#system-verdict"), words, name);
+    assert.match(await page.textContent("#system-file"), /law = \[\["0 m\/s", ".*"\], \[".*", "(300|60) N"\], \["1e6 m\/s", "(300|60) N"\]\]\nmoves = ".*m\/s"/);
+    const sketch = await page.textContent("#two-body");
+    assert.match(sketch, /friction \d+ N to \d+ N/);
+    assert.match(sketch, /belt 0\.\d+ m\/s/);
+    // Without a load there is no curve over its frequency.
+    await page.waitForFunction(() => $("two-curve").hidden && !slow.running);
+    // A disturbance of a motion that drives itself is told by the others than the shift in time.
+    assert.match(await page.textContent("#system-values"), /a disturbanceshrinks to 0/);
+  }
+  await page.click('#system-presets button:text-is("Block without a spring")');
+  await page.waitForFunction(() => twoAnswer?.text === systemText() && shown.systemCurve);
+  assert.ok(await page.isVisible("#two-curve"));
+  assert.doesNotMatch(await page.textContent("#system-file"), /"ground", "lower"\]\nstiffness/);
+  await closed(page);
+});
+
 test("the record that was asked for stands first, and the sample brings its own machine", async () => {
   const page = await opened("#mode=machine&units=kN,m&mass=40+t&stiffness=900+kN/m&friction=1+kN&force=3+kN&frequency=1+Hz");
   const above = () => page.evaluate(() => $("record-section").getBoundingClientRect().top < $("answer").getBoundingClientRect().top);

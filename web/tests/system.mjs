@@ -43,6 +43,8 @@ test("two masses are those of the command", (t) => {
       amplitude: force ? `${between(100, 5000)} N` : `${between(0.02, 0.5)} g`, frequency: `${between(0.5, 12)} Hz`,
     };
     if (!of.elastic && next() < 0.25) of.peak = String(between(1.01, 1.8));
+    // Without a belt the law alone: a friction that falls, and stays from a speed on.
+    if (!of.elastic && next() < 0.15) Object.assign(of, { falls: `${between(10, 1000)} N`, over: `${between(0.01, 2)} m/s` });
     const text = systemText(of);
     const file = join(folder, "two.toml");
     writeFileSync(file, text);

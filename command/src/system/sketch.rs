@@ -393,19 +393,20 @@ pub(super) fn svg(described: &Described, title: Option<&str>, size: Option<(u32,
         let text = if is_moved { "moved".to_owned() } else { quantity(described, mass, Of::Mass) };
         let load = loads(described, i);
         // A load takes a third line, after an arrow to both sides.
-        let (middle, centre) = (x + wide / 2.0, y + high / 2.0 - if load.is_empty() { 0.0 } else { 9.0 });
+        let (up, line) = if load.is_empty() { (3.0, 16.0) } else { (9.0, 14.0) };
+        let (middle, first) = (x + wide / 2.0, y + high / 2.0 - up);
         let _ = writeln!(
             svg,
             r##"<rect x="{x:.1}" y="{y:.1}" width="{wide:.1}" height="{high:.1}" fill="#dde7f2" stroke="black" stroke-width="1.5"/>
 <text x="{middle:.1}" y="{:.1}" text-anchor="middle" font-weight="bold">{}</text>
 <text x="{middle:.1}" y="{:.1}" text-anchor="middle">{}</text>"##,
-            centre - 3.0,
+            first,
             escaped(name),
-            centre + 13.0,
+            first + line,
             escaped(&text)
         );
         if !load.is_empty() {
-            let (from, line) = (middle - (width(&load) + ARROW) / 2.0, centre + 25.0);
+            let (from, line) = (middle - (width(&load) + ARROW) / 2.0, first + 2.0 * line - 4.0);
             let _ = writeln!(
                 svg,
                 r#"<path d="M{from:.1},{line:.1}h20m-5,-4l5,4l-5,4m-10,-8l-5,4l5,4" stroke="black" stroke-width="1.5" fill="none"/>

@@ -39,9 +39,10 @@ pub(super) fn draw(
         match &plane.scale {
             Scale::Names(names) => y = named(plane, names, (left, y + LINE + 4), canvas)?,
             Scale::Shades { low, high, logarithmic } => {
-                let axis = Axis::new("", (*low, *high), *logarithmic);
+                // Numbers rise upwards where the shades are reversed, too.
+                let axis = Axis::new("", (low.min(*high), low.max(*high)), *logarithmic);
                 let height = (height - (y - top) - 2 * LINE).clamp(60, 300);
-                ramp(&axis, (left, y + LINE), height, canvas)?;
+                ramp(&axis, low > high, (left, y + LINE), height, canvas)?;
                 y += LINE + height;
             }
         }
@@ -153,12 +154,13 @@ fn named(plane: &Plane, names: &[String], (left, top): (i32, i32), canvas: &Canv
     Ok(y)
 }
 
-/// Draws the shades from the lowest value at the bottom to the highest.
-fn ramp(axis: &Axis, (left, top): (i32, i32), height: i32, canvas: &Canvas<'_>) -> Drawn {
+/// Draws the shades from the lowest value at the bottom to the highest, from light to dark if they are reversed.
+fn ramp(axis: &Axis, is_reversed: bool, (left, top): (i32, i32), height: i32, canvas: &Canvas<'_>) -> Drawn {
     let steps = STEPS as i32;
     for step in 0..steps {
         let y = |step: i32| (top + height) * UNITS - height * UNITS * step / steps;
-        let colour = shade(f64::from(step) / f64::from(steps - 1));
+        let place = f64::from(step) / f64::from(steps - 1);
+        let colour = shade(if is_reversed { 1.0 - place } else { place });
         // Steps overlap, because otherwise the background would show between them.
         let lap = if step + 1 < steps { UNITS } else { 0 };
         let corners = [(left * UNITS, y(step + 1) - lap), ((left + 20) * UNITS, y(step))];
@@ -196,6 +198,47 @@ mod tests {
         let with_it =
             elements.filter(|e| e.split('<').next().unwrap().trim_end().ends_with(&format!(">\n{text}")));
         with_it.map(|e| e.split("y=\"").nth(1).unwrap().split('"').next().unwrap().parse().unwrap()).collect()
+    }
+
+    /// The numbers of a key in the order of the page, and the shade of the topmost step.
+    fn key(low: f64, high: f64) -> (Vec<f64>, bool) {
+        let mut panel = panel("key", 30.0);
+        if let Some(plane) = &mut panel.plane {
+            plane.scale = Scale::Shades { low, high, logarithmic: false };
+        }
+        let panels = vec![panel];
+        let drawing = Figure {
+            name: String::new(),
+            title: String::new(),
+            caption: String::new(),
+            panels,
+            is_stacked: false,
+        };
+        let drawing = drawing.svg().unwrap();
+        let attribute = |tag: &str| tag.split(" y=\"").nth(1)?.split('"').next()?.parse::<i32>().ok();
+        let mut numbers: Vec<(i32, f64)> = drawing
+            .split("<text")
+            .filter_map(|part| {
+                let (tag, text) = part.split_once('>')?;
+                let number = text.split('<').next()?.trim().parse::<f64>().ok()?;
+                Some((attribute(tag)?, number)).filter(|(_, number)| *number >= 10.0)
+            })
+            .collect();
+        numbers.sort_by_key(|(y, _)| *y);
+        let lightest = drawing.rfind("#FDE725").zip(drawing.rfind("#440154"));
+        (
+            numbers.into_iter().map(|(_, number)| number).collect(),
+            lightest.is_some_and(|(light, dark)| light > dark),
+        )
+    }
+
+    #[test]
+    fn the_numbers_of_a_key_rise_upwards_where_its_shades_are_reversed() {
+        let (upright, reversed) = (key(10.0, 30.0), key(30.0, 10.0));
+        assert!(upright.0.len() >= 3 && upright.0.windows(2).all(|pair| pair[0] > pair[1]), "{upright:?}");
+        assert_eq!(upright.0, reversed.0);
+        // The last step that is drawn is the topmost: the lightest, or reversed the darkest.
+        assert_eq!((upright.1, reversed.1), (true, false));
     }
 
     #[test]
