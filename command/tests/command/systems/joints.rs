@@ -74,7 +74,7 @@ fn the_end_of_a_spring_is_pulled_as_a_body_is() {
             [ours, body].map(|name| json(&format!("system {name} simulate --until 9s --format json")));
         assert_eq!((&ours["events"], &ours["end"]), (&body["events"], &body["end"]), "{motion}");
         assert_eq!(ours["coordinates"][1], "pull end");
-        assert!(ours["events"].as_array().unwrap().len() > 2, "{ours}");
+        assert!(!ours["events"].as_array().unwrap().is_empty(), "{ours}");
     }
     let wrong = machine("", "ground", "moves = 0.1\n")
         .replace("\"ground\", \"block\"]\nstiffness", "\"block\", \"ground\"]\nstiffness");
@@ -102,11 +102,9 @@ fn what_a_joint_or_a_name_cannot_do_is_said() {
         (JOINT.replace("stiffness = 30\n", "stiffness = 30\nname = \"low\"\n"), "the name low is used twice"),
         (JOINT.replace("name = \"push\"", "name = \"box\""), "the name box is used twice"),
         (
-            JOINT
-                .replace("stiffness = 30", "stiffness = 0")
-                .replace("stiffness = 10", "stiffness = 0")
-                .replace("[[contacts]]\nname = \"low\"", "[[contacts]]\nstiffness = 1\nname = \"low\"")
-                .replace("friction = 2\n", "stiffness = 1\nfriction = 2\n"),
+            "units = \"N,m\"\nmasses = { joint = 0, box = 1 }\n[[contacts]]\nname = \"low\"\nbetween = [\"ground\", \"joint\"]\nstiffness = 1\nfriction = 3\n[[springs]]\nbetween = \
+             [\"ground\", \"box\"]\nstiffness = 1\n[[forces]]\non = \"joint\"\namplitude = 9\nfrequency = 2\n"
+                .to_owned(),
             "joint, which has no mass, is held neither by a spring or damper nor by a contact that sticks",
         ),
     ];
