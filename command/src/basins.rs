@@ -12,7 +12,7 @@ use crate::map;
 use crate::starts::Starts;
 use std::io::Write;
 use stickslip::motion::{Attractors, State};
-use stickslip_figures::{Axis, Figure, Panel, Plane, Scale, Series, Style};
+use stickslip_draw::{Axis, Figure, Panel, Plane, Scale, Series, Style};
 use stickslip_front::grid::Range;
 use stickslip_front::inputs::units::Kind;
 

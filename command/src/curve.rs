@@ -19,7 +19,7 @@ use std::f64::consts::TAU;
 use std::io::Write;
 use stickslip::motion::Amplitude;
 use stickslip::{Error, Regime};
-use stickslip_figures::Figure;
+use stickslip_draw::Figure;
 use stickslip_front::curve::{Axis, Place, Source};
 use stickslip_front::inputs::units::{Kind, Reader, System};
 use stickslip_front::inputs::{Given, Input, Naming, Point, Role};

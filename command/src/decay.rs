@@ -20,7 +20,7 @@ use std::path::Path;
 use stickslip::internal::definitions::REST_POSITION;
 use stickslip::motion::{FreeDecay, Trajectory};
 use stickslip::{Excitation, Measure, Quantity};
-use stickslip_figures::{Figure, Panel, Series, Style};
+use stickslip_draw::{Figure, Panel, Series, Style};
 use stickslip_front::inputs::units::{Kind, System};
 use stickslip_front::inputs::{Given, Input, Role};
 

@@ -3,7 +3,7 @@
 use crate::bits::{Value, all_digits};
 use crate::failure::{Failure, Outcome};
 use crate::input::note_unusual;
-use stickslip_figures::Axis;
+use stickslip_draw::Axis;
 use stickslip_front::grid::Range;
 use stickslip_front::inputs::units::{Kind, Reader};
 use stickslip_front::inputs::{Given, Input, Naming};

@@ -83,8 +83,8 @@ fn write_note<F: Value>(
     out: &mut impl Write,
 ) -> io::Result<()> {
     let mut note = Note::of(given, point.machine.as_ref(), out);
-    if let Some(base) = note.machine.and_then(|m| words::base_motion(m.drive.excitation())) {
-        writeln!(note.out, "Base motion {base}.")?;
+    if let Some(base) = note.machine.and_then(|m| words::base_motion_sentence(m.drive.excitation())) {
+        writeln!(note.out, "{base}")?;
     }
     measured_from(given, note.machine, note.out)?;
     let length = |x| note.both(Measure::Length, x).split_whitespace().collect::<Vec<_>>().join(" ");

@@ -17,7 +17,7 @@ mod signals;
 mod unique;
 mod written;
 
-pub use answer::{Answer, OfBorder, Samples, Units, kind_of};
+pub use answer::{Answer, OfBorder, Samples, Units, is_hard, kind_of};
 pub use built::NamedSystem;
 pub use described::Described;
 pub use description::{Description, OfElement, OfSliding, OfThreshold};

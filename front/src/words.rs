@@ -197,21 +197,27 @@ pub fn origin<F: Float>(ratios: Ratios<F>, limit: &LongRun<F>) -> String {
     format!("The limit of this start. Other starts can have others.{cycle}{symmetry}")
 }
 
-/// The kind of base motion, and the meaning of x; `None` for a force.
+/// What moves, the force that it exerts, and the meaning of x, as the words after “base motion”; `None` for a force.
 #[must_use]
 pub const fn base_motion(excitation: Excitation) -> Option<&'static str> {
     match excitation {
         Excitation::FootMotion => {
-            Some("of the spring's support over a fixed surface: p₀ = k u₀, x over the surface")
+            Some("the spring's support moves over a fixed surface: p₀ = k u₀, x over the surface")
         }
         Excitation::DampedFootMotion => Some(
-            "of the support of spring and damper over a fixed surface: p₀ = √(k² + c²ω_d²) u₀, x over the surface",
+            "the support of spring and damper moves over a fixed surface: p₀ = √(k² + c²ω_d²) u₀, x over the surface",
         ),
         excitation if excitation.carries_surface() => {
-            Some("of a base that carries the surface: p₀ = m ω_d² u₀, x relative to the base")
+            Some("the base carries the surface: p₀ = m ω_d² u₀, x relative to the base")
         }
         _ => None,
     }
+}
+
+/// [`base_motion`] as a sentence.
+#[must_use]
+pub fn base_motion_sentence(excitation: Excitation) -> Option<String> {
+    base_motion(excitation).map(|words| format!("T{}.", words.trim_start_matches('t')))
 }
 
 /// The symmetry and the period of a motion, in words.

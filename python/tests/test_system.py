@@ -343,3 +343,24 @@ def test_states_take_times_with_units():
     for times in ("0.1 N", "soon", ["0.1 s", "soon"], None, [True]):
         with pytest.raises(ss.Error, match="times"):
             system.states(times)
+
+
+def test_blows_have_their_velocities():
+    """A ball that falls 0.4 m comes to rest after v/g + 2 e v/(g (1 - e))."""
+    e, g = 0.5, 9.80665
+    ball = ss.System(
+        masses={"ball": {"mass": "1 kg", "start": "-0.4 m"}},
+        stops=[{"name": "floor", "between": ["ground", "ball"], "gap": 0, "restitution": e}],
+        forces=[{"on": "ball", "constant": "9.80665 N"}],
+        units="N,m",
+    )
+    motion = ball.simulate("2 s")
+    blows = motion.event_kind == "blow"
+    assert motion.elements["floor"].blows == blows.sum()
+    before, after = motion.event_velocity_before, motion.event_velocity_after
+    np.testing.assert_allclose(after[blows], -e * before[blows], rtol=1e-14)
+    assert np.isnan(before[~blows]).all()
+    v = (2 * g * 0.4) ** 0.5
+    assert abs(before[0] - v) < 1e-14
+    assert motion.event_kind[-1] == "close"
+    assert abs(motion.event_time[-1] - (v / g + 2 * e * v / (g * (1 - e)))) < 1e-13

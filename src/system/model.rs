@@ -13,7 +13,9 @@ use alloc::vec::Vec;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, bound(deserialize = "F: Default + serde::Deserialize<'de>")))]
 pub struct Model<F> {
-    /// M by rows: symmetric and positive definite.
+    /// The names of the coordinates, which errors use; their places where it is empty.
+    pub coordinates: Vec<String>,
+    /// M by rows: symmetric and positive definite, but for coordinates whose row is 0. These have no mass: their forces balance.
     pub mass: Vec<Vec<F>>,
     /// C by rows.
     pub damping: Vec<Vec<F>>,
@@ -198,6 +200,14 @@ pub enum Kind<F> {
         stiffness: F,
         /// The damping constant.
         damping: F,
+    },
+    /// A stop that gives no way: where y reaches the gap with a velocity v > 0, that becomes −restitution · v at once. After ever smaller
+    /// blows, and with the restitution 0 after the first, it holds y = gap with a force T ≥ 0, and opens where T would be below 0.
+    HardStop {
+        /// The gap.
+        gap: F,
+        /// The coefficient of restitution, from 0 to 1.
+        restitution: F,
     },
 }
 

@@ -68,7 +68,7 @@ pub(crate) fn length(x: f64, point: &Point<f64>, system: &System) -> String {
 fn notes(problem: &Problem) -> Vec<String> {
     let Problem { given, point, .. } = problem;
     let Some(machine) = &point.machine else { return Vec::new() };
-    let base = words::base_motion(machine.drive.excitation()).map(|base| format!("Base motion {base}."));
+    let base = words::base_motion_sentence(machine.drive.excitation());
     let mean = digits(machine.scales.mean_displacement);
     let shifted = given.is_shifted().then(|| {
         format!("Displacements are measured from the mean displacement of {mean} {}.", given.system.length())

@@ -4,7 +4,7 @@ use super::{AskedCurve, CurvePoint, Line, Source, shown};
 use crate::bits::digits;
 use crate::failure::Failure;
 use crate::map::capital;
-use stickslip_figures::{Axis, Figure, Panel, Series, Style};
+use stickslip_draw::{Axis, Figure, Panel, Series, Style};
 use stickslip_front::curve::Place;
 use stickslip_front::inputs::Input;
 

@@ -1,7 +1,7 @@
 //! The columns beside resonance in a picture of a map, and the line on which the motion is unbounded.
 
 use super::BORDER_POINTS;
-use super::{Map, Mapped};
+use super::points::{Map, Mapped};
 use crate::failure::Failure;
 use crate::input;
 use stickslip::{Regime, Response};

@@ -7,7 +7,7 @@ use crate::grid::Grid;
 use crate::input;
 use crate::progress;
 use stickslip::motion::record::RecordAnswer;
-use stickslip_figures::{Figure, Panel, Series, Style};
+use stickslip_draw::{Figure, Panel, Series, Style};
 use stickslip_front::inputs::Input;
 use stickslip_front::inputs::units::Kind;
 

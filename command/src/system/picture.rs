@@ -8,7 +8,7 @@ use crate::threads;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 use stickslip::system::{Element, Kind, Motion, State};
-use stickslip_figures::{Axis, Figure, Panel, Series, Style};
+use stickslip_draw::{Axis, Figure, Panel, Series, Style};
 use stickslip_front::inputs::units::Kind as Of;
 use stickslip_front::system::{Cell, Described, Grid, NamedSystem};
 

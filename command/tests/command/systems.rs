@@ -1,6 +1,7 @@
 //! `stickslip system` from the user's side: cases of other projects, a file of named bodies, and what is wrong with files.
 
 mod drives;
+mod joints;
 mod pictures;
 
 use crate::command_line::{json, refused, stdout, stickslip};
@@ -522,7 +523,7 @@ fn each_mistake_is_one_line_with_its_place() {
             vec!["springs[1].stifness is unknown", "stiffness?"],
         ),
         ("\"500 kg\"", "\"500 N\"", vec!["masses.roof.mass 500 N", "must be a mass", "unit of force"]),
-        ("block = \"1 t\"", "block = \"-1 t\"", vec!["masses.block -1 t: must be > 0"]),
+        ("block = \"1 t\"", "block = \"-1 t\"", vec!["masses.block -1 t: must be ≥ 0"]),
         (
             "[\"block\", \"roof\"]",
             "[\"block\", \"rof\"]",

@@ -1,5 +1,6 @@
 //! Answers over a grid of values of the file, of its loads' frequency and of records, a row each.
 
+use super::answer::is_hard;
 use super::built::NamedSystem;
 use super::described::Described;
 use crate::grid::Range;
@@ -8,7 +9,7 @@ use serde_json::Value;
 use std::ops::ControlFlow;
 use std::path::Path;
 use stickslip::motion::record::Record;
-use stickslip::system::{Motion, Steady};
+use stickslip::system::{Element, Motion, Steady};
 
 /// The rows of which one must be right.
 const TRIED: u64 = 1000;
@@ -420,7 +421,7 @@ impl<'a> Grid<'a> {
                 let found = system.steady(&described.start).map_err(because)?;
                 let periods = Cell::Count(Some(found.periods as u64));
                 let mut cells = vec![Cell::Text(found.kind.name()), periods];
-                cells.extend(of_motion(&found.motion, Some(&found)));
+                cells.extend(of_motion(&described.model.elements, &found.motion, Some(&found)));
                 cells
             }
             Asked::Transient(until) => {
@@ -428,7 +429,7 @@ impl<'a> Grid<'a> {
                 of.check_until(until, &format!("until {until}"))?;
                 let found = system.simulate(&described.start, until).map_err(because)?;
                 let mut cells = vec![number(found.duration)];
-                cells.extend(of_motion(&found, None));
+                cells.extend(of_motion(&described.model.elements, &found, None));
                 cells
             }
         })
@@ -470,6 +471,9 @@ fn columns(described: &Described, asked: Asked) -> Vec<(String, Cell<'static>)> 
         let name = &element.name;
         columns.push(number(format!("{name}.rest_fraction")));
         columns.push((format!("{name}.stops"), Cell::Count(None)));
+        if is_hard(element) {
+            columns.push((format!("{name}.blows"), Cell::Count(None)));
+        }
         columns.push(number(format!("{name}.work{}", unit(Of::Energy))));
     }
     if asked == Asked::Steady {
@@ -487,7 +491,11 @@ fn columns(described: &Described, asked: Asked) -> Vec<(String, Cell<'static>)> 
 }
 
 /// The cells of a motion, in the order of the columns, with its end, or with the drift of a steady one.
-fn of_motion(motion: &Motion<f64>, steady: Option<&Steady<f64>>) -> Vec<Cell<'static>> {
+fn of_motion(
+    elements: &[Element<f64>],
+    motion: &Motion<f64>,
+    steady: Option<&Steady<f64>>,
+) -> Vec<Cell<'static>> {
     let mut cells = Vec::new();
     for i in 0..motion.max_displacement.len() {
         let lists =
@@ -495,9 +503,12 @@ fn of_motion(motion: &Motion<f64>, steady: Option<&Steady<f64>>) -> Vec<Cell<'st
         let end = steady.is_none().then_some(&motion.end.displacement);
         cells.extend(lists.into_iter().chain(end).map(|list| Cell::Number(list.get(i).copied())));
     }
-    for element in &motion.elements {
+    for (given, element) in elements.iter().zip(&motion.elements) {
         cells.push(Cell::Number(Some(element.time_at_rest / motion.duration)));
         cells.push(Cell::Count(Some(element.stops as u64)));
+        if is_hard(given) {
+            cells.push(Cell::Count(Some(element.blows as u64)));
+        }
         cells.push(Cell::Number(Some(element.work)));
     }
     if let Some(steady) = steady {

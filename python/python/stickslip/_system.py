@@ -44,7 +44,7 @@ class System:
         force. ``peak`` (static over kinetic friction), ``stiffness`` (of an elastic contact), ``moves`` (the motion of the
         other side) and ``name`` may be left out.
     stops : list of dict
-        ``between``, ``gap``, ``stiffness``, ``damping``.
+        ``between``, ``gap``, and ``stiffness`` and ``damping``, or a ``restitution`` from 0 to 1.
     forces : list of dict
         ``on`` a body: ``amplitude``, ``frequency``, ``phase`` and ``shape``, and ``constant``, and ``record``, a file that may
         have ``repeats``. A bare frequency is in
@@ -246,10 +246,19 @@ class System:
         return self._with("contacts", {**fields, "law": law, "peak": peak, "stiffness": stiffness, "moves": moves}, **others)
 
     def stop(
-        self, first: str, second: str, *, gap: Quantity, stiffness: Optional[Quantity] = None, damping: Optional[Quantity] = None, name: Optional[str] = None, **others: Any
+        self,
+        first: str,
+        second: str,
+        *,
+        gap: Quantity,
+        stiffness: Optional[Quantity] = None,
+        damping: Optional[Quantity] = None,
+        restitution: Optional[float] = None,
+        name: Optional[str] = None,
+        **others: Any,
     ) -> "System":
-        """This system with an end stop, which the second body meets after the gap."""
-        fields = {"name": name, "between": [first, second], "gap": gap, "stiffness": stiffness, "damping": damping}
+        """This system with an end stop, which the second body meets after the gap: elastic, or with a restitution in place of a stiffness."""
+        fields = {"name": name, "between": [first, second], "gap": gap, "stiffness": stiffness, "damping": damping, "restitution": restitution}
         return self._with("stops", fields, **others)
 
     def force(
@@ -621,9 +630,10 @@ def _motion(found: Mapping[str, Any], duration: float) -> dict[str, Any]:
     }
     absolute = found.get("max_absolute_acceleration")
     in_space = None if absolute is None else np.array(absolute, dtype=float)
-    names = ("kind", "time_at_rest", "stops", "work")
+    names = ("kind", "time_at_rest", "stops", "blows", "work")
     elements = {
-        element["name"]: ElementMotion({name: element[name] for name in names}) for element in found["elements"]
+        element["name"]: ElementMotion({name: element.get(name, 0) for name in names})
+        for element in found["elements"]
     }
     events = found["events"]
     return {
@@ -637,6 +647,10 @@ def _motion(found: Mapping[str, Any], duration: float) -> dict[str, Any]:
         "event_time": np.array([event["time"] for event in events], dtype=float),
         "event_element": np.array([event["name"] for event in events], dtype=np.str_),
         "event_kind": np.array([event["kind"] for event in events], dtype=np.str_),
+        **{
+            f"event_{name}": np.array([event.get(name, np.nan) for event in events], dtype=float)
+            for name in ("velocity_before", "velocity_after")
+        },
         "load_work": found["load_work"],
         "damper_work": found["damper_work"],
         "stored_energy": found["stored_energy"],

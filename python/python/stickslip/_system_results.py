@@ -47,6 +47,8 @@ class ElementMotion(Result):
         Time in which a contact sticks, an elastic contact holds, or a stop is open, in the unit ``time``.
     stops : int
         How often such a time begins.
+    blows : int
+        How many blows a stop with a restitution gets; 0 of other elements.
     work : float
         Work that the bodies do on it, in the unit ``work``.
     """
@@ -54,6 +56,7 @@ class ElementMotion(Result):
     kind: str
     time_at_rest: float
     stops: int
+    blows: int
     work: float
 
 
@@ -67,9 +70,9 @@ class Elements(dict[str, ElementMotion]):
         self.units = units
 
     def to_frame(self) -> Any:
-        """A frame of pandas with a row for each element: its kind, ``time_at_rest``, ``stops`` and ``work``. ``attrs["units"]`` has the units."""
+        """A frame of pandas with a row for each element: its kind, ``time_at_rest``, ``stops``, ``blows`` and ``work``. ``attrs["units"]`` has the units."""
         pandas = module("pandas")
-        names = ("kind", "time_at_rest", "stops", "work")
+        names = ("kind", "time_at_rest", "stops", "blows", "work")
         columns = {name: [element[name] for element in self.values()] for name in names}
         frame = pandas.DataFrame(columns, index=pandas.Index(list(self), name="element", dtype=object))
         frame.attrs["units"] = _units(self.units, names)
@@ -83,18 +86,23 @@ class SystemEvents(PhysicalResult):
     ----------
     time : array
     element, kind : array of str
-        Name of the element or level, and stick, slip, reverse, touch, yield, lock, open or close.
+        Name of the element or level, and stick, slip, reverse, touch, yield, lock, open, close or blow, rise or fall.
+    velocity_before, velocity_after : array
+        Velocity along a stop with a restitution before and after a blow; NaN of other events.
     """
 
     _along = "time"
     time: Floats
     element: NDArray[np.str_]
     kind: NDArray[np.str_]
+    velocity_before: Floats
+    velocity_after: Floats
 
     def to_frame(self) -> Any:
-        """A frame of pandas over the time, with the element and the kind of each event."""
+        """A frame of pandas over the time, with the element and the kind of each event, and the velocities of blows."""
         pandas = module("pandas")
         columns = {name: self[name].astype(object) for name in ("element", "kind")}
+        columns |= {name: self[name] for name in ("velocity_before", "velocity_after")}
         frame = pandas.DataFrame(columns, index=pandas.Index(self.time, name="time"))
         frame.attrs["units"] = dict(self.units or {})
         return frame
@@ -122,7 +130,9 @@ class SystemMotion(Result):
     elements : dict of str to ElementMotion
     event_time : array
     event_element, event_kind : array of str
-        Name of the element, and stick, slip, reverse, touch, yield, lock, open or close.
+        Name of the element, and stick, slip, reverse, touch, yield, lock, open, close or blow.
+    event_velocity_before, event_velocity_after : array
+        Velocity along a stop with a restitution before and after a blow; NaN of other events.
     load_work, damper_work, stored_energy : float
         ``load_work = damper_work + stored_energy +`` the works of the elements, in the unit ``work``.
     units : dict of str to str, or None
@@ -146,6 +156,8 @@ class SystemMotion(Result):
     event_time: Floats
     event_element: NDArray[np.str_]
     event_kind: NDArray[np.str_]
+    event_velocity_before: Floats
+    event_velocity_after: Floats
     load_work: float
     damper_work: float
     stored_energy: float
@@ -164,8 +176,11 @@ class SystemMotion(Result):
     @property
     def events(self) -> SystemEvents:
         """The events by their times."""
+        names = ("time", "element", "kind", "velocity_before", "velocity_after")
         units = None if self.units is None else {"time": self.units["time"]}
-        return SystemEvents({"time": self.event_time, "element": self.event_element, "kind": self.event_kind}, units=units)
+        if units is not None and self.units is not None:
+            units |= {name: self.units["velocity"] for name in names[3:]}
+        return SystemEvents({name: self[f"event_{name}"] for name in names}, units=units)
 
     def _of_bodies(self) -> list[str]:
         """The values with an entry for each coordinate."""
@@ -185,13 +200,14 @@ class SystemMotion(Result):
 
     def to_xarray(self) -> Any:
         """A data set of xarray with the dimensions ``body``, ``element`` and ``event``, and the unit of each value."""
-        elements, names = self.elements, ("kind", "time_at_rest", "stops", "work")
+        elements, names = self.elements, ("kind", "time_at_rest", "stops", "blows", "work")
         variables: dict[str, Any] = {name: _variable("body", self[name], _unit(self.units, name)) for name in self._of_bodies()}
         for name in names:
             column = np.array([element[name] for element in elements.values()])
             variables[f"element_{name}"] = _variable("element", column, _unit(self.units, name))
-        for name in ("event_time", "event_element", "event_kind"):
-            variables[name] = _variable("event", self[name], _unit(self.units, "time") if name == "event_time" else "")
+        of_events = {"event_time": "time", "event_velocity_before": "velocity", "event_velocity_after": "velocity"}
+        for name in ("event_element", "event_kind", *of_events):
+            variables[name] = _variable("event", self[name], _unit(self.units, of_events.get(name, "")))
         for name in self._of_motion():
             variables[name] = _variable((), self[name], _unit(self.units, name))
         coords = {"body": list(self.coordinates), "element": list(elements)}

@@ -124,6 +124,23 @@ impl System {
         }
     }
 
+    /// The unit of a quantity for a reader, with the factor to it: as [`System::mass_for_reading`], and an unbalance in
+    /// kg·m with metric lengths, where the system's own is neither that nor t·m.
+    #[must_use]
+    pub fn for_reading(&self, kind: Kind) -> (String, Factor) {
+        let own = self.name(kind);
+        match kind {
+            Kind::Mass => {
+                let (name, factor) = self.mass_for_reading();
+                (name.to_owned(), factor)
+            }
+            Kind::Unbalance if own != "t·m" && !matches!(self.length, "in" | "ft" | "mil") => {
+                ("kg·m".to_owned(), self.factor(kind.dimension()))
+            }
+            _ => (own, Factor::ONE),
+        }
+    }
+
     /// The name of its unit for a kind of quantity.
     #[must_use]
     pub fn name(&self, kind: Kind) -> String {
@@ -177,6 +194,18 @@ mod tests {
         assert_eq!((unit, (factor.times(1.0f64) - 386_088.6).abs() < 0.1), ("lb", true));
         assert_eq!(system("kN,m").mass_for_reading().0, "t");
         assert_eq!(own.gravity::<f64>(), 9806.65);
+        for (text, name, due) in [
+            ("kN,mm", "kg·m", 205.3807),
+            ("N,mm", "kg·m", 0.2053807),
+            ("N,m", "kg·m", 0.2053807),
+            ("kN,m", "t·m", 0.2053807),
+            ("lbf,in", "lbf·s²", 0.2053807),
+        ] {
+            let (unit, factor) = system(text).for_reading(Kind::Unbalance);
+            assert_eq!((unit.as_str(), factor.times(0.2053807)), (name, due), "{text}");
+        }
+        assert_eq!(own.for_reading(Kind::Mass).0, "kg");
+        assert_eq!(own.for_reading(Kind::Stiffness).0, "kN/mm");
         assert_eq!(system("kN,m").name(Kind::Mass), "t");
         assert_eq!(system("N,mm").name(Kind::Mass), "t");
         assert_eq!(system("lbf,ft").name(Kind::Mass), "slug");

@@ -3,6 +3,7 @@
 //! The drawing library counts in whole pixels. The drawing is therefore made in quarter pixels and scaled
 //! down, so that curves are smooth. Text uses the viewer's own sans-serif font.
 
+mod canvas;
 mod frame;
 mod legend;
 mod letters;
@@ -16,32 +17,39 @@ mod shade;
 mod subscript;
 mod ticks;
 
-use super::{Figure, Panel};
+use crate::figure::{Figure, Panel};
+use canvas::{Anchor, Canvas, Drawn, LINE, Margins, TEXT, UNITS, write};
 use frame::Frame;
 #[cfg(feature = "png")]
 pub(super) use pdf::pdf;
 use plotters::backend::SVGBackend;
-use plotters::coord::Shift;
-use plotters::drawing::{DrawingArea, DrawingAreaErrorKind, IntoDrawingArea};
-use plotters::element::Text;
-use plotters::style::text_anchor::{HPos, Pos, VPos};
-use plotters::style::{BLACK, FontTransform, IntoFont, TextStyle, WHITE};
+use plotters::drawing::IntoDrawingArea;
+use plotters::style::WHITE;
 #[cfg(feature = "png")]
 pub(super) use png::png;
 use std::io;
-use stickslip_front::text::printable;
 
-/// The number of drawing units in a pixel.
-const UNITS: i32 = 4;
+impl Figure {
+    /// The drawing as an SVG file without embedded fonts.
+    ///
+    /// # Errors
+    ///
+    /// Errors of the drawing library, none of which are known to occur.
+    pub fn svg(&self) -> io::Result<String> {
+        svg(self, None)
+    }
 
-/// The area for drawing.
-pub(super) type Canvas<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-
-/// The result of drawing.
-pub(super) type Drawn<T = ()> = Result<T, DrawingAreaErrorKind<io::Error>>;
+    /// The drawing as an SVG file with a width and a height in pixels.
+    ///
+    /// # Errors
+    /// [`io::ErrorKind::InvalidInput`] where the plots would have no room, or the size is beyond all use.
+    pub fn svg_of_size(&self, size: (u32, u32)) -> io::Result<String> {
+        svg(self, Some(size))
+    }
+}
 
 /// The drawing of a figure.
-pub(super) fn svg(figure: &Figure, size: Option<(u32, u32)>) -> io::Result<String> {
+fn svg(figure: &Figure, size: Option<(u32, u32)>) -> io::Result<String> {
     let fitted = |legend| {
         let layout = Layout::of(figure, legend);
         let fitted = size.map_or(Some(layout.by_itself(figure)), |size| layout.fitted(figure, size));
@@ -94,17 +102,15 @@ fn paint(figure: &Figure, layout: &Layout, legend: (i32, i32), canvas: &Canvas<'
     for ((panel, origin), is_shared) in figure.panels.iter().zip(layout.origins()).zip(layout.shared()) {
         Frame::new(panel, origin, layout.plot).draw(&layout.margins, is_shared, canvas)?;
     }
-    legend::draw(figure, legend, layout, canvas)?;
+    let is_inside = layout.legend == 0;
+    legend::draw(figure, legend, (is_inside, layout.plots_height()), canvas)?;
     canvas.present()
 }
 
-/// The size of the title of a figure, and of the texts that give way last: 7 pt where a picture of 450 pixels is
-/// 85 mm wide.
+/// The size of the title of a figure.
 const TITLE: i32 = 18;
-pub(super) const TEXT: i32 = 14;
-/// The most lines of a title, and the height of a line.
+/// The most lines of a title.
 const TITLE_LINES: usize = 3;
-pub(super) const LINE: i32 = 20;
 
 /// Margins in pixels: left of a plot, at least, above it below a title of one line, and below it.
 const LEFT: i32 = 76;
@@ -128,21 +134,6 @@ const NARROW: i32 = 220;
 const STACKED: (i32, i32) = (640, 180);
 /// The greatest width and height of a drawing in pixels.
 pub(super) const MOST: i32 = 10_000;
-
-/// The margins of the plots, in pixels: each grows with the lines of its texts.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) struct Margins {
-    /// Left of a plot, with room for the labels and the name of the widest vertical axis.
-    left: i32,
-    /// Above the first plot, with room for the lines of the title.
-    top: i32,
-    /// Between a plot and what is above it.
-    head: i32,
-    /// Below a plot, with room for the name of the horizontal axis.
-    below: i32,
-    /// The most lines of a panel's title and of an axis' name: where two leave the plots no room, one, cut if need be.
-    lines: usize,
-}
 
 /// Sizes in pixels.
 #[derive(Clone, Copy)]
@@ -320,7 +311,7 @@ impl Layout {
     }
 
     /// The height of all panels, from the top of the first.
-    pub(super) fn plots_height(&self) -> i32 {
+    fn plots_height(&self) -> i32 {
         self.size().1 - self.below - self.margins.top - self.margins.below
     }
 
@@ -333,34 +324,4 @@ impl Layout {
         });
         tops.flat_map(move |top| (0..self.columns).map(move |i| (self.margins.left + i * self.across(), top)))
     }
-}
-
-/// The point of a text that lies at the given place.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Anchor {
-    /// The middle of the text's upper edge.
-    Above,
-    /// The middle of the text's left edge.
-    Left,
-    /// The middle of the text's right edge.
-    Right,
-    /// The middle of the text.
-    Middle,
-    /// The middle of the text's lower edge; the text runs upwards.
-    Upwards,
-}
-
-/// Writes text of the given size at a place, both in pixels.
-pub(super) fn write(canvas: &Canvas<'_>, text: &str, (x, y): (i32, i32), size: i32, anchor: Anchor) -> Drawn {
-    // The backend scales the given size by 1/1.24.
-    let font = ("sans-serif", f64::from(size * UNITS) * 1.24).into_font();
-    let (font, pos) = match anchor {
-        Anchor::Above => (font, Pos::new(HPos::Center, VPos::Top)),
-        Anchor::Left => (font, Pos::new(HPos::Left, VPos::Center)),
-        Anchor::Right => (font, Pos::new(HPos::Right, VPos::Center)),
-        Anchor::Middle => (font, Pos::new(HPos::Center, VPos::Center)),
-        Anchor::Upwards => (font.transform(FontTransform::Rotate270), Pos::new(HPos::Center, VPos::Center)),
-    };
-    let style = TextStyle::from(font).color(&BLACK).pos(pos);
-    canvas.draw(&Text::new(printable(text).into_owned(), (x * UNITS, y * UNITS), style))
 }

@@ -1,7 +1,7 @@
 //! Lines, arrows and marks, in colours that can be distinguished with colour blindness and in print.
 
-use super::{Canvas, Drawn, UNITS};
-use crate::Style;
+use super::canvas::{Canvas, Drawn, UNITS};
+use crate::figure::Style;
 use plotters::element::{Circle, PathElement, Polygon, Rectangle};
 use plotters::style::{Color, RGBColor};
 

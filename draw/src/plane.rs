@@ -51,14 +51,20 @@ impl Plane {
         places.zip(&self.values).filter(|(_, value)| !value.is_nan()).map(|((x, y), &value)| (x, y, value))
     }
 
-    /// The shades for these values: logarithmic where they span more than two orders of magnitude.
+    /// The shades for these values: logarithmic where they span more than two orders of magnitude, and where nine tenths of
+    /// them lie in the lowest tenth of a linear scale. There a 0 is as dark as the least value above it.
     #[must_use]
     pub fn shades(values: &[f64]) -> Scale {
         let finite = || values.iter().copied().filter(|v| v.is_finite());
         let (low, high) =
             (finite().fold(f64::INFINITY, f64::min), finite().fold(f64::NEG_INFINITY, f64::max));
         let logarithmic = low > 0.0 && high > 100.0 * low;
-        if low < high {
+        let tenth = low + (high - low) / 10.0;
+        let is_crowded = 10 * finite().filter(|v| *v <= tenth).count() >= 9 * finite().count();
+        let least = finite().filter(|v| *v > 0.0).fold(f64::INFINITY, f64::min);
+        if low >= 0.0 && is_crowded && least < high {
+            Scale::Shades { low: least, high, logarithmic: true }
+        } else if low < high {
             Scale::Shades { low, high, logarithmic }
         } else {
             Scale::Shades { low: 0.0, high: 1.0, logarithmic: false }
@@ -69,6 +75,25 @@ impl Plane {
 #[cfg(test)]
 mod tests {
     use super::{Plane, Scale};
+
+    #[test]
+    fn shades_of_crowded_values_are_logarithmic() {
+        let of = |values: &[f64]| match Plane::shades(values) {
+            Scale::Shades { low, high, logarithmic } => (low, high, logarithmic),
+            Scale::Names(_) => panic!("{values:?}"),
+        };
+        let mut values: Vec<f64> = (0..91).map(f64::from).collect();
+        values.extend([f64::NAN, 200.0, 400.0, 600.0, 800.0, 1000.0]);
+        assert_eq!(of(&values), (1.0, 1000.0, true));
+        // More than a tenth of the values above a tenth of the scale.
+        values.extend([300.0; 7]);
+        assert_eq!(of(&values), (0.0, 1000.0, false));
+        // Values of either sign have no logarithm.
+        assert_eq!(of(&[[-1.0; 1].as_slice(), &[0.0; 40], &[100.0]].concat()), (-1.0, 100.0, false));
+        assert_eq!(of(&[1.0, 2.0]), (1.0, 2.0, false));
+        assert_eq!(of(&[1.0, 200.0]), (1.0, 200.0, true));
+        assert_eq!(of(&[0.0, 0.0]), (0.0, 1.0, false));
+    }
 
     #[test]
     fn points_are_those_with_a_value() {

@@ -1,7 +1,7 @@
 //! The unit in which an axis is drawn: the one of its label, that unit with another prefix, or with a power of ten.
 
 use super::ticks::{is_of_powers, raised, ticks};
-use crate::Axis;
+use crate::figure::Axis;
 
 /// The units that take prefixes, each with the largest exponent in use: no ks, no Mm/s.
 const UNITS: [(&str, i32); 11] = [
@@ -86,7 +86,7 @@ fn prefixed(unit: &str, exponent: i32) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::drawn;
-    use crate::Axis;
+    use crate::figure::Axis;
 
     fn label(name: &str, ends: (f64, f64)) -> String {
         drawn(&Axis::new(name, ends, false)).0

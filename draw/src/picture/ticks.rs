@@ -1,6 +1,6 @@
 //! The ticks of an axis and their labels: for any two ends, also equal, subnormal, infinite and NaN ones.
 
-use crate::Axis;
+use crate::figure::Axis;
 
 /// The most ticks of an axis.
 const MOST: usize = 12;
@@ -166,7 +166,8 @@ fn times(digits: &str, exponent: i32) -> String {
 #[cfg(test)]
 mod tests {
     use super::{MOST, minor, ticks};
-    use crate::{Axis, Figure, Panel, Plane, Scale, Series, Style};
+    use crate::figure::{Axis, Figure, Panel, Series, Style};
+    use crate::plane::{Plane, Scale};
     use proptest::prelude::*;
     use proptest::test_runner::RngSeed;
 

@@ -1,6 +1,6 @@
 //! The colours of values over a plane: from dark to light, so that their order survives in print.
 
-use crate::Scale;
+use crate::plane::Scale;
 use crate::plane::share;
 use plotters::style::RGBColor;
 

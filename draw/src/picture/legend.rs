@@ -1,10 +1,12 @@
 //! The legend of lines, marks and colours, in a single panel where there is room, otherwise beside the panels.
 
+use super::canvas::{Anchor, Canvas, Drawn, TEXT, UNITS, write};
 use super::mark::stroke;
 use super::scale::drawn;
 use super::shade::{STEPS, shade};
-use super::{Anchor, Canvas, Drawn, Layout, TEXT, UNITS, letters, mark, write};
-use crate::{Axis, Figure, Plane, Scale, Series, Style};
+use super::{letters, mark};
+use crate::figure::{Axis, Figure, Series, Style};
+use crate::plane::{Plane, Scale};
 use plotters::element::Rectangle;
 use plotters::style::{Color, RGBColor, WHITE};
 
@@ -13,10 +15,15 @@ const LINE: i32 = 22;
 /// Pixels between the legend and the frame around it.
 pub(super) const ROOM: i32 = 14;
 
-/// Draws the legend downwards from an upper left corner, in pixels.
-pub(super) fn draw(figure: &Figure, (left, top): (i32, i32), layout: &Layout, canvas: &Canvas<'_>) -> Drawn {
+/// Draws the legend downwards from an upper left corner, in pixels: inside a plot or not, beside plots of this height.
+pub(super) fn draw(
+    figure: &Figure,
+    (left, top): (i32, i32),
+    (is_inside, height): (bool, i32),
+    canvas: &Canvas<'_>,
+) -> Drawn {
     let mut y = top + LINE / 2;
-    if layout.legend == 0 && !entries(figure).is_empty() {
+    if is_inside && !entries(figure).is_empty() {
         let (width, height) = size(figure);
         let corners = [(left - 6, top - 4), (left + width + 6, top + height + 4)];
         let corners = corners.map(|(x, y)| (x * UNITS, y * UNITS));
@@ -33,7 +40,7 @@ pub(super) fn draw(figure: &Figure, (left, top): (i32, i32), layout: &Layout, ca
             Scale::Names(names) => y = named(plane, names, (left, y + LINE + 4), canvas)?,
             Scale::Shades { low, high, logarithmic } => {
                 let axis = Axis::new("", (*low, *high), *logarithmic);
-                let height = (layout.plots_height() - (y - top) - 2 * LINE).clamp(60, 300);
+                let height = (height - (y - top) - 2 * LINE).clamp(60, 300);
                 ramp(&axis, (left, y + LINE), height, canvas)?;
                 y += LINE + height;
             }
@@ -167,7 +174,8 @@ fn ramp(axis: &Axis, (left, top): (i32, i32), height: i32, canvas: &Canvas<'_>) 
 #[cfg(test)]
 mod tests {
     use super::keys;
-    use crate::{Axis, Figure, Panel, Plane, Scale, Series, Style};
+    use crate::figure::{Axis, Figure, Panel, Series, Style};
+    use crate::plane::{Plane, Scale};
 
     /// A panel with a plane of this label and shades up to `high`.
     fn panel(label: &str, high: f64) -> Panel {

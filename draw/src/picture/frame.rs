@@ -1,10 +1,12 @@
 //! One pair of axes and its contents.
 
+use super::canvas::{Anchor, Canvas, Drawn, LINE, Margins, TEXT, UNITS, write};
 use super::mark::{arrow, stroke, whole};
 use super::scale::drawn;
 use super::ticks::{minor, number};
-use super::{Anchor, Canvas, Drawn, LINE, Margins, TEXT, UNITS, letters, mark, write};
-use crate::{Axis, Panel, Plane, Series, Style};
+use super::{letters, mark};
+use crate::figure::{Axis, Panel, Series, Style};
+use crate::plane::Plane;
 use plotters::element::{PathElement, Rectangle};
 use plotters::style::{BLACK, Color, RGBColor, WHITE};
 
