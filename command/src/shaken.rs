@@ -42,9 +42,8 @@ impl<F: Value> Shaken<F> {
         let surface = Surface::read(&args.surface, &reader)?;
         let start = surface.start(&reader, [args.x0.as_deref(), args.v0.as_deref()])?;
         let (record, summary) = measured::read::<F>(&args.file, &args.load, &reader)?;
-        // Where the mass cancels, it is a unit of mass.
-        let cancels =
-            record.excitation() != Excitation::Force && input::has_unit_mass(&args.machine, &mut given);
+        // From here on the mass is a unit of mass, where it cancels.
+        let cancels = record.excitation() != Excitation::Force && given.cancel_mass();
         let body = surface.body(&given)?;
         Ok(Self { given, body, record, summary, start, interval, floor, has_mass: !cancels })
     }

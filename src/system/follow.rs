@@ -272,7 +272,7 @@ impl<'a, F: Float> Follower<'a, F> {
             // Where it changes which stops are in touch, there is another balance.
             for _ in 0..8 {
                 let (modes, resting) = self.modes_of_state()?;
-                let open = massless::open(self.system, &modes, &resting);
+                let open = massless::open(self.system, &self.z, &modes, &resting);
                 massless::balance(self.system, &mut self.z, &modes, &open);
                 if self.modes_of_state()?.0 == modes {
                     break;
@@ -286,7 +286,7 @@ impl<'a, F: Float> Follower<'a, F> {
     /// be taken where they are consistent.
     fn choose_light(&mut self, first: &[Vec<Mode>], resting: &[usize]) -> Result<Vec<Mode>, Error> {
         let system = self.system;
-        let open = massless::open(system, first.first().map_or(&[], Vec::as_slice), resting);
+        let open = massless::open(system, &self.z, first.first().map_or(&[], Vec::as_slice), resting);
         let found = massless::decide(system, &mut self.branches, &self.z, first, &open);
         let (modes, z) = found.map_err(|free| match free {
             Some(coordinate) => system.without_mass(

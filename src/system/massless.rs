@@ -412,13 +412,19 @@ fn substitute<F: Float>(velocity: &[(usize, Vec<F>)], row: &mut [F]) {
     }
 }
 
-/// The elements that are decided anew at each event: those at coordinates without mass, and the contacts at rest.
-pub(crate) fn open<F: Float>(system: &Assembly<F>, modes: &[Mode], resting: &[usize]) -> Vec<usize> {
+/// The elements that are decided anew at each event: those at coordinates without mass, with stops at their gap, and the contacts at
+/// rest.
+pub(crate) fn open<F: Float>(system: &Assembly<F>, z: &[F], modes: &[Mode], resting: &[usize]) -> Vec<usize> {
     let decides = |&i: &usize| {
         let Some(part) = system.parts.get(i) else { return false };
-        let acts = modes.get(i).is_some_and(|mode| *mode != Mode::Apart);
-        let slides = !matches!(part.rule, Rule::Stop { .. });
-        resting.contains(&i) || (acts && slides && system.is_light(part))
+        let acts = match &part.rule {
+            Rule::Stop { depth, .. } => {
+                let wide = F::epsilon() * F::int(1 << 14);
+                dot(depth, z).abs() <= size_of_dot(depth, &absolute(z)) * wide
+            }
+            _ => modes.get(i).is_some_and(|mode| *mode != Mode::Apart),
+        };
+        resting.contains(&i) || (acts && system.is_light(part))
     };
     (0..modes.len()).filter(decides).collect()
 }
@@ -660,7 +666,7 @@ impl<F: Float> Implicit<F> {
         let mut coupling = Matrix::zero(count, count);
         let (mut way, mut doubt, mut bounds) = (Vec::new(), Vec::new(), Vec::new());
         let mut directions: Vec<Vec<F>> = Vec::new();
-        let mut compliances = Vec::new();
+        let (mut compliances, mut presses) = (Vec::new(), Vec::new());
         for &i in open {
             let part = system.parts.get(i)?;
             let mut direction = part.direction.clone();
@@ -673,6 +679,12 @@ impl<F: Float> Implicit<F> {
                 compliance = one / (h * *stiffness);
                 apart = apart + at(z, *place) * compliance;
                 size = size + (at(z, *place) * compliance).abs();
+            }
+            if let Rule::Stop { depth, stiffness, .. } = &part.rule {
+                compliance = one / (h * *stiffness);
+                apart = apart + dot(depth, z) / h;
+                size = size + size_of_dot(depth, z) / h;
+                presses.push(way.len());
             }
             way.push(apart);
             doubt.push(size * F::epsilon() * F::int(4096));
@@ -688,7 +700,8 @@ impl<F: Float> Implicit<F> {
                 coupling.set(i, j, dot(b, &image) + own);
             }
         }
-        let high: Vec<Option<F>> = bounds.iter().map(|&b| Some(b)).collect();
+        let high: Vec<Option<F>> =
+            bounds.iter().enumerate().map(|(i, &b)| (!presses.contains(&i)).then_some(b)).collect();
         let low: Vec<Option<F>> = bounds.iter().map(|&b| Some(-b)).collect();
         let tension = least(&coupling, &way, &doubt, &low, &high).ok()?;
         let slip = way
@@ -714,6 +727,8 @@ impl<F: Float> Implicit<F> {
             let moves = tension.abs() >= bound && (!sure || slip.abs() > doubt);
             let forward = if bound > F::int(0) { tension > F::int(0) } else { slip > F::int(0) };
             *mode = match (&part.rule, moves) {
+                (Rule::Stop { .. }, _) if tension > F::int(0) => Mode::Pressed,
+                (Rule::Stop { .. }, _) => Mode::Away,
                 (Rule::Elastic { .. }, true) => Mode::Yields { forward },
                 (Rule::Elastic { .. }, false) => Mode::Holds,
                 (_, true) => Mode::Slides { forward, piece: 0 },

@@ -363,6 +363,7 @@ fn by_steps(model: &Model<f64>, until: f64, steps: usize) -> Vec<f64> {
     let compliance = |e: usize| match parts[e].kind {
         Kind::Elastic { stiffness, .. } | Kind::Stop { stiffness, .. } => 1.0 / (h * stiffness),
         Kind::Contact { .. } => 0.0,
+        ref other => panic!("{other:?} is not drawn"),
     };
     let answers: Vec<Vec<f64>> = (0..parts.len()).map(|e| solved(matrix.clone(), acts(e))).collect();
     let g: Vec<Vec<f64>> = (0..parts.len())
@@ -378,6 +379,7 @@ fn by_steps(model: &Model<f64>, until: f64, steps: usize) -> Vec<f64> {
             Kind::Contact { ref law, .. } => [-law.points[0].1, law.points[0].1],
             Kind::Elastic { friction, .. } => [-friction, friction],
             Kind::Stop { .. } => [0.0, f64::INFINITY],
+            ref other => panic!("{other:?} is not drawn"),
         })
         .collect();
     let mut case = Vec::new();
@@ -401,6 +403,7 @@ fn by_steps(model: &Model<f64>, until: f64, steps: usize) -> Vec<f64> {
                         Kind::Contact { .. } => 0.0,
                         Kind::Elastic { .. } => tension[e] * compliance(e),
                         Kind::Stop { gap, .. } => (along(&parts[e].direction, &q) - gap) / h,
+                        ref other => panic!("{other:?} is not drawn"),
                     }
             })
             .collect();

@@ -8,6 +8,7 @@ use stickslip::motion::{LongRun, SteadyAnswer};
 use stickslip::{Definition, Drive, Measure, NoStop, Response};
 use stickslip_front::inputs::units::{Kind, System};
 use stickslip_front::inputs::{Given, Input, Point, Role};
+use stickslip_front::quantities;
 use stickslip_front::without::{is_of_friction, without_friction};
 use stickslip_front::words::{self, digits};
 
@@ -48,7 +49,7 @@ pub(crate) fn answer(asked: &Asked<'_>) -> Result<Value, String> {
         "is_frictionless": problem.is_frictionless,
         "is_free": problem.is_free,
         "notes": notes(&problem),
-        "kinds": kinds(point, &given.system),
+        "kinds": kinds(given, point),
         "six_reversals": NoStop::of(&point.ratios).six_reversals.map(|(low, high)| [low, high]),
         "machine": machine(&problem),
     }))
@@ -77,17 +78,20 @@ fn notes(problem: &Problem) -> Vec<String> {
 }
 
 /// The value of each kind of input that the machine could be given by instead.
-fn kinds(point: &Point<f64>, system: &System) -> Value {
+fn kinds(given: &Given<f64>, point: &Point<f64>) -> Value {
     let Some(machine) = &point.machine else { return Value::Null };
+    let system = &given.system;
     let (body, drive) = (&machine.oscillator, &machine.drive);
     let weight = body.mass() * system.gravity::<f64>();
     let turn = 2.0 * std::f64::consts::PI;
+    // That of forward motion, as it is given beside that of backward motion.
+    let friction = given.directional_friction().ok().flatten().map_or(body.friction_bound(), |(forward, _)| forward);
     let mut all = vec![
         (Input::Stiffness, body.stiffness()),
         (Input::Period, turn / body.natural_frequency()),
         (Input::PendulumRadius, weight / body.stiffness()),
-        (Input::Friction, body.friction_bound()),
-        (Input::FrictionCoefficient, body.friction_bound() / weight),
+        (Input::Friction, friction),
+        (Input::FrictionCoefficient, friction / weight),
         (Input::DampingRatio, point.ratios.damping_ratio()),
         (Input::Damping, body.damping()),
         (Input::StaticFrictionRatio, point.ratios.static_friction_ratio()),
@@ -111,8 +115,8 @@ fn kinds(point: &Point<f64>, system: &System) -> Value {
 fn machine(problem: &Problem) -> Value {
     let Problem { typed, point, .. } = problem;
     let Some(machine) = &point.machine else { return Value::Null };
-    let rows = typed.quantities(machine).into_iter();
-    rows.map(|(name, kind, value)| json!({"name": name, "value": value, "unit": typed.system.name(kind)}))
+    let rows = quantities::of_machine(typed, machine).into_iter();
+    rows.map(|(own, value)| json!({"name": own.name, "value": value, "unit": typed.system.name(own.kind)}))
         .collect()
 }
 

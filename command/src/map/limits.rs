@@ -5,11 +5,10 @@ use crate::failure::Failure;
 use crate::starts::follow;
 use stickslip::Ratios;
 use stickslip::motion::{Attractors, LongRun};
+use stickslip_front::limits::PERIODS;
 
 /// The number of starts for each point, which are those of `stickslip attractors`.
 pub(super) const STARTS: u64 = 16;
-/// The greatest number of periods for each start.
-const PERIODS: u32 = 2000;
 
 const ONE: &str = "one, symmetric";
 const PAIR: &str = "a mirror pair";

@@ -2,7 +2,6 @@
 
 mod body;
 mod nothing;
-mod quantities;
 
 pub use nothing::in_place_of_zeros;
 
@@ -212,6 +211,30 @@ impl<F: Float + FromStr> Given<F> {
                 Err(self.in_units_beside_ratios().unwrap_or(missing))
             }
         }
+    }
+
+    /// Whether no input needs a mass or gives one: the body by its period or as a pendulum, friction by its coefficient or the
+    /// yield acceleration, and everything else by ratios or as a motion of the base.
+    pub fn needs_no_mass(&self) -> bool {
+        self.values.iter().all(|(input, value, _)| match input.role() {
+            Role::Mass | Role::MeanForce => false,
+            Role::Spring => *input != Input::Stiffness || *value == F::int(0),
+            Role::Friction => *input == Input::FrictionCoefficient,
+            Role::Damper => *input == Input::DampingRatio,
+            Role::StaticFriction => *input == Input::StaticFrictionRatio,
+            Role::Body => *input != Input::FrictionBackward,
+            Role::Drive => !matches!(input, Input::Force | Input::Unbalance | Input::Eccentricity),
+            Role::Frequency | Role::RotatingMass | Role::Start => true,
+        })
+    }
+
+    /// Sets a unit of mass where it cancels ([`Given::needs_no_mass`]); returns whether it does.
+    pub fn cancel_mass(&mut self) -> bool {
+        let cancels = self.needs_no_mass();
+        if cancels {
+            self.set(Input::Mass, F::int(1));
+        }
+        cancels
     }
 
     /// The stiffness, and ω_n where the period or the frequency is given beside it.

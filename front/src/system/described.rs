@@ -82,22 +82,23 @@ pub(super) fn peak(fields: &Fields<'_>) -> Result<f64, String> {
     }
 }
 
-/// The restitution of a stop that gives no way, from 0 to 1; none for a stop with a stiffness. `others` are the names of fields that are
-/// read elsewhere.
-pub(super) fn restitution(fields: &Fields<'_>, others: &[&'static str]) -> Result<Option<f64>, String> {
+/// The restitution of a stop that gives no way, from 0 to 1; none for an elastic stop. `elastic` are the fields of that one, and `others`
+/// those of both, which are read elsewhere.
+pub(super) fn restitution(
+    fields: &Fields<'_>,
+    elastic: &[&'static str],
+    others: &[&'static str],
+) -> Result<Option<f64>, String> {
     let Some(node) = fields.get("restitution") else {
         if fields.get("stiffness").is_none() {
             // A misspelt name says more than a missing one.
-            let known = ["damping", "coefficient", "along", "peak", "static_ratio"];
-            fields.end_with(&[&known[..], others].concat())?;
+            fields.end_with(&[elastic, others].concat())?;
             return Err(fields.node.wrong("needs one of stiffness and restitution"));
         }
         return Ok(None);
     };
-    for name in ["stiffness", "damping", "coefficient", "along", "peak", "static_ratio"] {
-        if let Some(node) = fields.get(name) {
-            return Err(node.wrong("must be left out of a stop with a restitution, which gives no way"));
-        }
+    if let Some(node) = elastic.iter().find_map(|name| fields.get(name)) {
+        return Err(node.wrong("must be left out of a stop with a restitution, which gives no way"));
     }
     let value = node.at_least(node.number()?, 0.0)?;
     if value > 1.0 {

@@ -247,7 +247,7 @@ fn element(node: &Node<'_>, i: usize, n: usize) -> Result<Element<f64>, String> 
             }
             direction.iter_mut().for_each(|b| *b *= side);
             let gap = number("gap")?;
-            match restitution(&fields, &["name", "belt"])? {
+            match restitution(&fields, &["stiffness", "damping"], &["name", "belt"])? {
                 Some(restitution) => Kind::HardStop { gap, restitution },
                 None => {
                     let damping = fields.get("damping").map_or(Ok(0.0), |node| node.number())?;

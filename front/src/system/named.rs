@@ -389,7 +389,8 @@ impl Builder<'_> {
         let (direction, _) = self.direction(fields)?;
         let name = self.name(fields)?;
         let gap = fields.required("gap")?.quantity(Of::Length)?;
-        if let Some(restitution) = restitution(fields, &["name"])? {
+        let elastic = ["stiffness", "damping", "coefficient", "along", "peak", "static_ratio"];
+        if let Some(restitution) = restitution(fields, &elastic, &["name"])? {
             fields.end()?;
             let (moves, kind) = (Signal::constant(0.0), Kind::HardStop { gap, restitution });
             self.model.elements.push(Element { name, direction, moves, kind });

@@ -81,7 +81,7 @@ fn the_end_of_a_spring_is_pulled_as_a_body_is() {
     let name = file(&folder, "wrong.toml", &wrong);
     refused(
         &format!("system {name} steady"),
-        "springs[1].moves 0.1: needs the ground as the first end in between",
+        &["springs[1].moves 0.1: needs the ground as the first end in between"],
     );
 }
 
