@@ -246,19 +246,10 @@ class System:
         return self._with("contacts", {**fields, "law": law, "peak": peak, "stiffness": stiffness, "moves": moves}, **others)
 
     def stop(
-        self,
-        first: str,
-        second: str,
-        *,
-        gap: Quantity,
-        stiffness: Optional[Quantity] = None,
-        damping: Optional[Quantity] = None,
-        restitution: Optional[float] = None,
-        name: Optional[str] = None,
-        **others: Any,
+        self, first: str, second: str, *, gap: Quantity, stiffness: Optional[Quantity] = None, damping: Optional[Quantity] = None, name: Optional[str] = None, **others: Any
     ) -> "System":
-        """This system with an end stop, which the second body meets after the gap: elastic, or with a restitution in place of a stiffness."""
-        fields = {"name": name, "between": [first, second], "gap": gap, "stiffness": stiffness, "damping": damping, "restitution": restitution}
+        """This system with an end stop, which the second body meets after the gap."""
+        fields = {"name": name, "between": [first, second], "gap": gap, "stiffness": stiffness, "damping": damping}
         return self._with("stops", fields, **others)
 
     def force(
