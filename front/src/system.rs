@@ -15,6 +15,7 @@ mod node;
 mod sentence;
 mod signals;
 mod unique;
+mod written;
 
 pub use answer::{Answer, OfBorder, Samples, Units, is_hard, kind_of};
 pub use built::NamedSystem;
@@ -23,3 +24,4 @@ pub use description::{Description, OfElement, OfSliding, OfThreshold};
 pub use file::{LONGEST, MOST_VALUES, decoded, parsed, units_of};
 pub use grid::{Asked, Axis, Cell, Grid, MOST_ROWS};
 pub use sentence::{border_verdict, frequency_of, plural, sliding_verdict, steady_verdict, with_unit};
+pub use written::File;

@@ -38,7 +38,6 @@ const GROUND: &str = "ground";
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Builder<F> {
-    names: Vec<String>,
     model: Model<F>,
     displacement: Vec<F>,
     velocity: Vec<F>,
@@ -49,7 +48,7 @@ pub struct Builder<F> {
 impl<F: Float + Default> Default for Builder<F> {
     fn default() -> Self {
         let model = Model::default();
-        Self { names: Vec::new(), model, displacement: Vec::new(), velocity: Vec::new(), wrong: None }
+        Self { model, displacement: Vec::new(), velocity: Vec::new(), wrong: None }
     }
 }
 
@@ -71,8 +70,8 @@ impl<F: Float> Builder<F> {
         if name == GROUND || self.place(name).is_some() {
             return self.unsupported(name, "must have a name of its own");
         }
-        let n = self.names.len();
-        self.names.push(name.to_owned());
+        let n = self.model.coordinates.len();
+        self.model.coordinates.push(name.to_owned());
         self.displacement.push(F::int(0));
         self.velocity.push(F::int(0));
         let Model { mass: m, damping, stiffness, constant, harmonics, records, elements, .. } =
@@ -170,7 +169,7 @@ impl<F: Float> Builder<F> {
     #[must_use]
     pub fn harmonic(mut self, on: &str, frequency: F, sin: F, cos: F) -> Self {
         let Some(i) = self.place(on) else { return self.no_body(on) };
-        let n = self.names.len();
+        let n = self.model.coordinates.len();
         let harmonics = &mut self.model.harmonics;
         let known = harmonics.iter().position(|own| own.frequency == frequency);
         let at = known.unwrap_or(harmonics.len());
@@ -189,7 +188,7 @@ impl<F: Float> Builder<F> {
     #[must_use]
     pub fn record(mut self, on: &str, times: Vec<F>, values: Vec<F>) -> Self {
         let Some(i) = self.place(on) else { return self.no_body(on) };
-        let mut force = vec![F::int(0); self.names.len()];
+        let mut force = vec![F::int(0); self.model.coordinates.len()];
         set(&mut force, i, F::int(1));
         self.model.records.push(Record { times, values, force, beyond: Beyond::Zero });
         self
@@ -210,13 +209,13 @@ impl<F: Float> Builder<F> {
     /// The place of a body among the coordinates.
     #[must_use]
     pub fn place(&self, name: &str) -> Option<usize> {
-        self.names.iter().position(|own| own == name)
+        self.model.coordinates.iter().position(|own| own == name)
     }
 
     /// The names of the coordinates.
     #[must_use]
     pub fn coordinates(&self) -> &[String] {
-        &self.names
+        &self.model.coordinates
     }
 
     /// The state at the start.
@@ -258,7 +257,7 @@ impl<F: Float> Builder<F> {
     }
 
     fn direction(&self, [first, second]: Ends) -> Vec<F> {
-        let mut direction = vec![F::int(0); self.names.len()];
+        let mut direction = vec![F::int(0); self.model.coordinates.len()];
         for (end, sign) in [(first, -1), (second, 1)] {
             if let Some(i) = end {
                 set(&mut direction, i, F::int(sign));
@@ -353,6 +352,12 @@ impl<F: Float> Element<F> {
         Self::new("stop", direction, Kind::Stop { gap, stiffness, damping: F::int(0) })
     }
 
+    /// A stop that gives no way behind a gap, with a coefficient of restitution from 0 to 1.
+    #[must_use]
+    pub fn hard_stop(direction: impl Into<Vec<F>>, gap: F, restitution: F) -> Self {
+        Self::new("stop", direction, Kind::HardStop { gap, restitution })
+    }
+
     fn new(name: &str, direction: impl Into<Vec<F>>, kind: Kind<F>) -> Self {
         let moves = Signal::constant(F::int(0));
         Self { name: name.to_owned(), direction: direction.into(), moves, kind }
@@ -401,6 +406,7 @@ mod tests {
         let model = built.model().unwrap();
         let contact = Element::contact([-1.0, 1.0], 0.25).named("a-b");
         let due = Model {
+            coordinates: vec!["a".to_owned(), "b".to_owned()],
             mass: vec![vec![2.0, 0.0], vec![0.0, 1.0]],
             damping: vec![vec![0.0, 0.0], vec![0.0, 0.5]],
             stiffness: vec![vec![11.0, -4.0], vec![-4.0, 4.0]],
