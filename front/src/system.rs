@@ -14,9 +14,10 @@ mod named;
 mod node;
 mod sentence;
 mod signals;
+mod spring;
 mod unique;
 
-pub use answer::{Answer, OfBorder, Samples, Units, kind_of};
+pub use answer::{Answer, OfBorder, Samples, Units, is_contact, kind_of};
 pub use built::NamedSystem;
 pub use described::Described;
 pub use description::{Description, OfElement, OfSliding, OfThreshold};

@@ -25,6 +25,8 @@ pub(crate) enum Mode {
     Pressed,
     /// A stop beyond its gap, which would have to pull.
     Lifted,
+    /// A spring, in the piece of its law with this number.
+    Bends { piece: usize },
 }
 
 /// The equation while each element keeps its mode.
@@ -100,7 +102,7 @@ impl<F: Float> Equation<F> {
                     }
                 }
                 Mode::Stuck | Mode::Slides { .. } | Mode::Apart => {}
-                Mode::Away | Mode::Pressed | Mode::Lifted => {}
+                Mode::Away | Mode::Pressed | Mode::Lifted | Mode::Bends { .. } => {}
             }
         }
         let mut given = vec![Vec::new(); size - system.free];
@@ -141,6 +143,7 @@ pub(crate) fn given_tension<F: Float>(part: &Part<F>, mode: Mode) -> Option<Vec<
             Some(bound.iter().map(|&x| sign::<F>(forward) * x).collect())
         }
         (Mode::Pressed, _) => Some(pressing(part)),
+        (Mode::Bends { piece }, _) => Some(super::spring::tension(part, piece)),
         _ => None,
     }
 }

@@ -94,6 +94,7 @@ fn links(described: &Described) -> Vec<Link> {
             Kind::Stop { gap, .. } => {
                 (Symbol::Stop, format!("gap {}", quantity(described, *gap, Of::Length)))
             }
+            Kind::Spring { points } => (Symbol::Spring, format!("law of {} points", points.len())),
         };
         links.push(Link { ends: ends(element), symbol, text: format!("{}: {what}", element.name) });
     }

@@ -9,8 +9,8 @@ use std::io::Write;
 use stickslip::inputs::units::{Kind as Of, System as Units};
 use stickslip::system::{Beyond, Border, Cycle, Element, Kind, Law, Motion, MovedBy, Steady, SteadyKind};
 use stickslip_front::system::{
-    Described, Description, NamedSystem, border_verdict, frequency_of, kind_of, plural, sliding_verdict,
-    steady_verdict, with_unit,
+    Described, Description, NamedSystem, border_verdict, frequency_of, is_contact, kind_of, plural,
+    sliding_verdict, steady_verdict, with_unit,
 };
 
 /// A natural frequency, or the growth of a direction whose stiffness is negative.
@@ -40,6 +40,7 @@ pub(super) fn describe(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Wr
         ("contact", "contact", "contacts"),
         ("elastic", "elastic contact", "elastic contacts"),
         ("stop", "stop", "stops"),
+        ("spring", "spring with a law", "springs with laws"),
     ] {
         if count(kind) > 0 {
             parts.push(plural(count(kind), one, several));
@@ -94,10 +95,10 @@ pub(super) fn describe(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Wr
         _ => frequencies.iter().map(|omega| own(units, *omega)).collect::<Vec<_>>().join(", "),
     };
     writeln!(out, "\nNatural frequencies, without dampers")?;
-    let has_contacts = elements.iter().any(|element| kind_of(element) != "stop");
+    let has_contacts = elements.iter().any(is_contact);
     line(out, if has_contacts { "all contacts sliding" } else { "free" }, list(free))?;
     if elements.len() > 1 {
-        for (i, element) in elements.iter().enumerate().filter(|(_, e)| kind_of(e) != "stop") {
+        for (i, element) in elements.iter().enumerate().filter(|(_, e)| is_contact(e)) {
             line(out, &format!("{} at rest", element.name), list(&system.natural_frequencies(&[i])))?;
         }
     }
@@ -166,6 +167,7 @@ fn of_element(element: &Element<f64>, described: &Described, units: Option<&Unit
             with_unit(*gap, units, Of::Length),
             with_unit(*stiffness, units, Of::Stiffness)
         ),
+        Kind::Spring { points } => format!("spring{between}, a law of {} points", points.len()),
     }
 }
 
@@ -233,27 +235,28 @@ pub(super) fn motion(described: &Described, motion: &Motion<f64>, out: &mut impl
             line(out, "absolute acceleration", format!("up to {}{}", digits(most), unit(Of::Acceleration)))?;
         }
     }
+    // What is below the rounding of the works has no digit that is right.
+    let works: f64 = motion.elements.iter().map(|found| found.work.abs()).sum();
+    let least = 1e-12 * (works + motion.load_work.abs() + motion.damper_work.abs());
     for (element, found) in described.model.elements.iter().zip(&motion.elements) {
         writeln!(out, "{} ({})", element.name, kind_of(element))?;
         let rest = match element.kind {
-            Kind::Stop { .. } => "open",
-            Kind::Elastic { .. } => "holds",
-            _ => "sticks",
+            Kind::Stop { .. } => Some("open"),
+            Kind::Elastic { .. } => Some("holds"),
+            Kind::Contact { .. } => Some("sticks"),
+            Kind::Spring { .. } => None,
         };
         let seconds = if described.units.is_some() { " s" } else { "" };
-        line(
-            out,
-            rest,
-            format!("{}{seconds}, {}", digits(found.time_at_rest), plural(found.stops, "time", "times")),
-        )?;
-        line(out, "work", format!("{}{}", digits(found.work), unit(Of::Energy)))?;
+        if let Some(rest) = rest {
+            let times = plural(found.stops, "time", "times");
+            line(out, rest, format!("{}{seconds}, {times}", digits(found.time_at_rest)))?;
+        }
+        let work = if found.work.abs() < least { 0.0 } else { found.work };
+        line(out, "work", format!("{}{}", digits(work), unit(Of::Energy)))?;
     }
     writeln!(out, "energy")?;
     line(out, "work of the loads", format!("{}{}", digits(motion.load_work), unit(Of::Energy)))?;
     line(out, "work on the dampers", format!("{}{}", digits(motion.damper_work), unit(Of::Energy)))?;
-    // What is below the rounding of the works has no digit that is right.
-    let works: f64 = motion.elements.iter().map(|found| found.work.abs()).sum();
-    let least = 1e-12 * (works + motion.load_work.abs() + motion.damper_work.abs());
     let stored = if motion.stored.abs() < least { 0.0 } else { motion.stored };
     line(out, "stored", format!("{}{}", digits(stored), unit(Of::Energy)))?;
     if motion.events.is_empty() {

@@ -124,7 +124,13 @@ pub const fn kind_of(element: &Element<f64>) -> &'static str {
         Kind::Contact { .. } => "contact",
         Kind::Elastic { .. } => "elastic",
         Kind::Stop { .. } => "stop",
+        Kind::Spring { .. } => "spring",
     }
+}
+
+/// Whether an element is a contact, rigid or elastic: it may be at rest.
+pub const fn is_contact(element: &Element<f64>) -> bool {
+    matches!(element.kind, Kind::Contact { .. } | Kind::Elastic { .. })
 }
 
 impl<'a> Answer<'a> {

@@ -87,9 +87,17 @@ pub(super) fn law(
     node: &Node<'_>,
     of: impl Fn(&Node<'_>, usize) -> Result<f64, String>,
 ) -> Result<Law<f64>, String> {
+    Ok(Law { points: pairs(node, of)? })
+}
+
+/// Pairs of a speed or a displacement, and a force.
+pub(super) fn pairs(
+    node: &Node<'_>,
+    of: impl Fn(&Node<'_>, usize) -> Result<f64, String>,
+) -> Result<Vec<(f64, f64)>, String> {
     let pair = |node: &Node<'_>| match node.list()?.as_slice() {
-        [speed, force] => Ok((of(speed, 0)?, of(force, 1)?)),
-        _ => Err(node.wrong("must be a pair of a speed and a force")),
+        [first, force] => Ok((of(first, 0)?, of(force, 1)?)),
+        _ => Err(node.wrong("must be a pair of a speed, of a spring a displacement, and a force")),
     };
-    Ok(Law { points: node.list()?.iter().map(pair).collect::<Result<_, String>>()? })
+    node.list()?.iter().map(pair).collect()
 }

@@ -1,10 +1,11 @@
 //! The file of a system: bodies by name with their springs, contacts and loads, or matrices.
 
 use super::described::{
-    Described, MOST_COORDINATES, MOST_ELEMENTS, MOST_FREQUENCIES, MOST_SAMPLES, law, peak,
+    Described, MOST_COORDINATES, MOST_ELEMENTS, MOST_FREQUENCIES, MOST_SAMPLES, law, pairs, peak,
 };
 use super::named;
 use super::node::{Fields, Node, nearest};
+use super::spring;
 use super::unique::Unique;
 use crate::text::of_bytes;
 use serde_json::Value;
@@ -249,8 +250,13 @@ fn element(node: &Node<'_>, i: usize, n: usize) -> Result<Element<f64>, String> 
             let damping = fields.get("damping").map_or(Ok(0.0), |node| node.number())?;
             Kind::Stop { gap: number("gap")?, stiffness: number("stiffness")?, damping }
         }
+        "spring" => {
+            let law = fields.required("law")?;
+            let points = spring::points(&law, &fields, pairs(&law, |node, _| node.number())?)?;
+            Kind::Spring { points }
+        }
         other => {
-            let kinds = ["contact", "elastic", "stop"];
+            let kinds = ["contact", "elastic", "stop", "spring"];
             return Err(kind.wrong(&format!("is unknown. {}", nearest(other, kinds.into_iter()))));
         }
     };

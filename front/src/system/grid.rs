@@ -1,5 +1,6 @@
 //! Answers over a grid of values of the file, of its loads' frequency and of records, a row each.
 
+use super::answer::kind_of;
 use super::built::NamedSystem;
 use super::described::Described;
 use crate::grid::Range;
@@ -316,7 +317,7 @@ impl<'a> Grid<'a> {
                 let found = system.steady(&described.start).map_err(because)?;
                 let periods = Cell::Count(Some(found.periods as u64));
                 let mut cells = vec![Cell::Text(found.kind.name()), periods];
-                cells.extend(of_motion(&found.motion, Some(&found)));
+                cells.extend(of_motion(described, &found.motion, Some(&found)));
                 cells
             }
             Asked::Transient(until) => {
@@ -324,7 +325,7 @@ impl<'a> Grid<'a> {
                 of.check_until(until, &format!("until {until}"))?;
                 let found = system.simulate(&described.start, until).map_err(because)?;
                 let mut cells = vec![number(found.duration)];
-                cells.extend(of_motion(&found, None));
+                cells.extend(of_motion(described, &found, None));
                 cells
             }
         })
@@ -364,8 +365,10 @@ fn columns(described: &Described, asked: Asked) -> Vec<(String, Cell<'static>)> 
     }
     for element in &described.model.elements {
         let name = &element.name;
-        columns.push(number(format!("{name}.rest_fraction")));
-        columns.push((format!("{name}.stops"), Cell::Count(None)));
+        if kind_of(element) != "spring" {
+            columns.push(number(format!("{name}.rest_fraction")));
+            columns.push((format!("{name}.stops"), Cell::Count(None)));
+        }
         columns.push(number(format!("{name}.work{}", unit(Of::Energy))));
     }
     if asked == Asked::Steady {
@@ -383,7 +386,11 @@ fn columns(described: &Described, asked: Asked) -> Vec<(String, Cell<'static>)> 
 }
 
 /// The cells of a motion, in the order of the columns, with its end, or with the drift of a steady one.
-fn of_motion(motion: &Motion<f64>, steady: Option<&Steady<f64>>) -> Vec<Cell<'static>> {
+fn of_motion(
+    described: &Described,
+    motion: &Motion<f64>,
+    steady: Option<&Steady<f64>>,
+) -> Vec<Cell<'static>> {
     let mut cells = Vec::new();
     for i in 0..motion.max_displacement.len() {
         let lists =
@@ -391,9 +398,11 @@ fn of_motion(motion: &Motion<f64>, steady: Option<&Steady<f64>>) -> Vec<Cell<'st
         let end = steady.is_none().then_some(&motion.end.displacement);
         cells.extend(lists.into_iter().chain(end).map(|list| Cell::Number(list.get(i).copied())));
     }
-    for element in &motion.elements {
-        cells.push(Cell::Number(Some(element.time_at_rest / motion.duration)));
-        cells.push(Cell::Count(Some(element.stops as u64)));
+    for (element, of) in motion.elements.iter().zip(&described.model.elements) {
+        if kind_of(of) != "spring" {
+            cells.push(Cell::Number(Some(element.time_at_rest / motion.duration)));
+            cells.push(Cell::Count(Some(element.stops as u64)));
+        }
         cells.push(Cell::Number(Some(element.work)));
     }
     if let Some(steady) = steady {

@@ -1,9 +1,10 @@
 //! Bodies by name, and springs, contacts, stops and loads between them and the ground.
 
 use super::builder::Builder;
-use super::described::{Described, MOST_COORDINATES, MOST_ELEMENTS, base_of, law, peak};
+use super::described::{Described, MOST_COORDINATES, MOST_ELEMENTS, base_of, law, pairs, peak};
 use super::node::{Fields, Node, check_name, nearest};
 use super::signals::{NEEDS, add as plus};
+use super::spring;
 use serde_json::Value;
 use std::path::Path;
 use stickslip::inputs::units::{Kind as Of, System as Units};
@@ -90,7 +91,9 @@ pub(super) fn described(root: &Node<'_>, folder: &Path, units: Units) -> Result<
     fields.end()?;
     let count = builder.model.elements.len();
     if count > MOST_ELEMENTS {
-        return Err(format!("contacts and stops: {count} of them, must be ≤ {MOST_ELEMENTS}"));
+        return Err(format!(
+            "contacts, stops and springs with laws: {count} of them, must be ≤ {MOST_ELEMENTS}"
+        ));
     }
     let inertia = builder.inertia();
     let Builder { model, names: coordinates, base, .. } = builder;
@@ -157,7 +160,7 @@ impl Builder<'_> {
     }
 
     fn spring(&mut self, fields: &Fields<'_>) -> Result<(), String> {
-        let (_, ends) = self.direction(fields)?;
+        let (direction, ends) = self.direction(fields)?;
         let value = |name: &'static str, kind: Of, like: &str| {
             let Some(node) = fields.get(name) else { return Ok(0.0) };
             let value = node.quantity(kind)?;
@@ -170,8 +173,23 @@ impl Builder<'_> {
         };
         let stiffness = value("stiffness", Of::Stiffness, "as of a buckled strut")?;
         let damping = value("damping", Of::Damping, "which feeds the motion")?;
-        // For paths of other values, as that of a force.
-        fields.get("name").map_or(Ok(""), |node| node.name())?;
+        if let Some(law) = fields.get("law") {
+            if let Some(node) = fields.get("stiffness") {
+                return Err(node.wrong("must be left out beside a law, whose slope it is"));
+            }
+            let name = self.name(fields)?;
+            let table = if law.value().is_string() {
+                self.columns(&law, [Of::Length, Of::Force], None)?
+            } else {
+                pairs(&law, |node, i| node.quantity(if i == 0 { Of::Length } else { Of::Force }))?
+            };
+            let points = spring::points(&law, fields, table)?;
+            let (moves, kind) = (Signal::constant(0.0), Kind::Spring { points });
+            self.model.elements.push(Element { name, direction, moves, kind });
+        } else {
+            // For paths of other values, as that of a force.
+            fields.get("name").map_or(Ok(""), |node| node.name())?;
+        }
         fields.end()?;
         for (matrix, value) in [(&mut self.model.stiffness, stiffness), (&mut self.model.damping, damping)] {
             match ends {

@@ -5,11 +5,21 @@ mod bounds;
 mod drives;
 mod hostile;
 mod schema;
+mod springs;
+mod stepper;
 mod wrong;
+
+#[path = "../../../tests/random/generator.rs"]
+mod generator;
 
 use serde_json::{Value, json};
 use std::path::Path;
 use stickslip_front::system::{NamedSystem, parsed};
+
+/// How many are compared: the second number under `.ci/slow systems`.
+fn count(usual: usize, all: usize) -> usize {
+    if std::env::var_os("STICKSLIP_ALL_SYSTEMS").is_some() { all } else { usual }
+}
 
 /// The system of a text.
 fn named(text: &str) -> NamedSystem {
@@ -23,6 +33,7 @@ fn by_names() -> Value {
         "units": "N,mm",
         "masses": {"table": {"moves": {"displacement": {"amplitude": 2, "frequency": 4, "shape": "triangle"}}}, "block": "1 t", "roof": {"mass": "500 kg", "start": "3 mm", "velocity": "1 mm/s"}},
         "springs": [
+            {"name": "bump", "between": ["ground", "roof"], "law": [[0, 0], ["4 mm", "3 N"], [6, 40]], "odd": true},
             {"between": ["ground", "block"], "stiffness": "200 N/mm", "damping": "0.3 N*s/mm"},
             {"between": ["block", "roof"], "stiffness": 300},
         ],
@@ -57,6 +68,7 @@ fn by_matrices() -> Value {
             {"type": "elastic", "direction": [1, -1], "stiffness": 50, "friction": 3},
             {"type": "stop", "direction": [0, 1], "gap": 0.1, "stiffness": 1e4, "side": -1},
             {"type": "contact", "direction": [0, 1], "friction": 0.3, "normal": {"const": 2, "displacement": [0.1, 0]}},
+            {"type": "spring", "direction": [0, 1], "law": [[-1, 0], [0, 0], [1, 20]], "odd": false},
         ],
         "harmonics": [{"frequency": 18.8, "sin": [0, 1500], "cos": [1, 0]}],
         "record": {"times": [0, 0.1, 0.2], "values": [0, 1, -1], "force": [1, 1]},
