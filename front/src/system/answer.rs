@@ -1,6 +1,7 @@
 //! The answers about a system, as JSON has them.
 
 use super::described::Described;
+use super::tabled::Digits;
 use serde::Serialize;
 use stickslip::inputs::units::{Kind as Of, System};
 use stickslip::system::{Border, Cycle, Element, Kind, Motion, State, Steady};
@@ -78,6 +79,9 @@ pub struct Answer<'a> {
     periods: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
     periods_followed: Option<usize>,
+    /// Where laws are curves.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    laws: Option<&'a Digits>,
     #[serde(skip_serializing_if = "Option::is_none")]
     units: Option<Units>,
 }
@@ -134,6 +138,12 @@ pub const fn is_contact(element: &Element<f64>) -> bool {
 }
 
 impl<'a> Answer<'a> {
+    /// This answer with what is known of its digits.
+    #[must_use]
+    pub fn with_digits(self, laws: Option<&'a Digits>) -> Self {
+        Self { laws, ..self }
+    }
+
     fn of(described: &'a Described, motion: &'a Motion<f64>, start: &'a State<f64>, kind: &'a str) -> Self {
         let elements = described.model.elements.iter().zip(&motion.elements);
         let units = Units::of(described)
@@ -179,6 +189,7 @@ impl<'a> Answer<'a> {
             decay: None,
             periods: None,
             periods_followed: None,
+            laws: None,
             units,
         }
     }

@@ -3,6 +3,7 @@
 use super::answer::kind_of;
 use super::built::NamedSystem;
 use super::described::Described;
+use super::tabled::Why;
 use crate::grid::Range;
 use serde_json::Value;
 use std::ops::ControlFlow;
@@ -302,19 +303,19 @@ impl<'a> Grid<'a> {
         self.answer_of(self.system(&self.place(row), Some(last))?)
     }
 
-    fn answer_of(&self, mut of: NamedSystem) -> Result<Vec<Cell<'static>>, String> {
-        of.system = of.system.while_allowed(self.keep_going);
-        let (described, system) = (&of.described, &of.system);
-        let because = |e: stickslip::system::Error| e.to_string();
+    fn answer_of(&self, of: NamedSystem) -> Result<Vec<Cell<'static>>, String> {
+        let of = of.while_allowed(self.keep_going);
+        let described = &of.described;
+        let because = |e: Why| e.to_string();
         let number = |x: f64| Cell::Number(Some(x));
         Ok(match self.asked {
             Asked::Border => {
-                let found = system.border().map_err(because)?;
+                let found = of.system.border().map_err(|e| e.to_string())?;
                 let release = Cell::Number(found.least_load_factor_from_rest);
                 vec![number(found.least_load_factor), number(found.touching_time), release]
             }
             Asked::Steady => {
-                let found = system.steady(&described.start).map_err(because)?;
+                let (found, _) = of.steady(&described.start).map_err(because)?;
                 let periods = Cell::Count(Some(found.periods as u64));
                 let mut cells = vec![Cell::Text(found.kind.name()), periods];
                 cells.extend(of_motion(described, &found.motion, Some(&found)));
@@ -323,7 +324,7 @@ impl<'a> Grid<'a> {
             Asked::Transient(until) => {
                 let until = until.unwrap_or_else(|| of.end_of_records());
                 of.check_until(until, &format!("until {until}"))?;
-                let found = system.simulate(&described.start, until).map_err(because)?;
+                let (found, _) = of.simulate(&described.start, until).map_err(because)?;
                 let mut cells = vec![number(found.duration)];
                 cells.extend(of_motion(described, &found, None));
                 cells

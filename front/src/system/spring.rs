@@ -44,7 +44,7 @@ fn at(table: &[(f64, f64)], place: usize) -> f64 {
 }
 
 /// The field `odd`.
-fn odd(fields: &Fields<'_>) -> Result<Option<bool>, String> {
+pub(super) fn odd(fields: &Fields<'_>) -> Result<Option<bool>, String> {
     let Some(node) = fields.get("odd") else { return Ok(None) };
     node.value().as_bool().map(Some).ok_or_else(|| node.wrong("must be true or false"))
 }

@@ -2,6 +2,7 @@
 #![cfg(feature = "system")]
 
 mod bounds;
+mod curves;
 mod drives;
 mod hostile;
 mod schema;
@@ -33,6 +34,7 @@ fn by_names() -> Value {
         "units": "N,mm",
         "masses": {"table": {"moves": {"displacement": {"amplitude": 2, "frequency": 4, "shape": "triangle"}}}, "block": "1 t", "roof": {"mass": "500 kg", "start": "3 mm", "velocity": "1 mm/s"}},
         "springs": [
+            {"name": "cable", "between": ["ground", "roof"], "law": {"formula": "3*x + x^3", "tolerance": "1 N"}, "odd": false},
             {"name": "bump", "between": ["ground", "roof"], "law": [[0, 0], ["4 mm", "3 N"], [6, 40]], "odd": true},
             {"between": ["ground", "block"], "stiffness": "200 N/mm", "damping": "0.3 N*s/mm"},
             {"between": ["block", "roof"], "stiffness": 300},
@@ -44,6 +46,8 @@ fn by_names() -> Value {
             {"between": ["table", "roof"], "coefficient": 0.2, "stiffness": "5 N/mm",
                 "normal_load": {"constant": 9, "between": ["ground", "block"], "stiffness": 2, "damping": 0.1}},
             {"between": ["ground", "roof"], "friction": "10 N", "stiffness": "5 N/mm"},
+            {"name": "seal", "between": ["ground", "block"], "law": {"kinetic": "3 N", "static": "4 N", "speed": "5 mm/s", "exponent": 2, "viscous": 0.1, "tolerance": 0.5}},
+            {"name": "felt", "between": ["ground", "roof"], "law": {"formula": "3 + exp(-v)"}},
         ],
         "stops": [
             {"between": ["ground", "roof"], "gap": "9 mm", "stiffness": "1 kN/mm", "damping": 0.1},

@@ -105,6 +105,8 @@ fn the_schema_has_the_fields_of_the_reader() {
         ("spring", "/springs/0", by_names()),
         ("contact", "/contacts/0", by_names()),
         ("stop", "/stops/0", by_names()),
+        ("curve", "/contacts/5/law", by_names()),
+        ("spring_curve", "/springs/0/law", by_names()),
         ("force", "/forces/0", by_names()),
         ("base", "/base", by_names()),
         ("signal", "/base/acceleration", by_names()),
