@@ -5,6 +5,7 @@ mod answer;
 mod definition;
 #[allow(missing_docs, reason = "each has its meaning")]
 pub mod definitions;
+mod kind;
 
 #[cfg(feature = "serde")]
 use crate::cycle::Cycle;
@@ -18,6 +19,7 @@ use crate::named::UnknownName;
 pub(crate) use answer::columns;
 pub use answer::{Column, ResponseAnswer, Value, When};
 pub use definition::{Definition, Measure};
+pub use kind::{Dimension, Kind};
 
 /// Defines the outputs from one row each: the names in Rust and in the command, the measure, the meaning, the
 /// other columns of a [`Definition`], and the dimensionless value.

@@ -7,7 +7,6 @@ use crate::cycle::response::Response;
 use crate::enclosed::{self, Enclosure};
 use crate::float::Float;
 use crate::machine::error::{Error, Quantity};
-use crate::machine::units::InputError;
 use crate::motion::record::Record;
 use crate::motion::{FreeDecay, SteadyOutput, SteadyState};
 use crate::named::UnknownName;
@@ -39,7 +38,7 @@ macro_rules! as_text {
     };
 }
 
-as_text!(Error, InputError, Quantity, UnknownName);
+as_text!(Error, Quantity, UnknownName);
 #[cfg(feature = "mp")]
 as_text!(crate::float::ParseError, crate::float::PrecisionError);
 #[cfg(feature = "matching")]

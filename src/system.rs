@@ -31,10 +31,11 @@
 //! `model.rs` is the description as it is given, `assembly.rs` checks it and builds rows over the state,
 //! `branch.rs` has the linear equation between two events and the proof of the certificate, `timeline.rs` has the samples of records in time, `first_passage.rs` the search for a
 //! guard's first zero, `next_branch.rs` the choice of the next branch, `dependent.rs` what contacts with dependent directions
-//! can hold, `follow.rs` the motion from event to event, `events.rs` what watches it, `levels.rs` the passages of values,
-//! `spring.rs` has the springs with laws, `grid.rs` many systems on all cores, `motion.rs` its answers, `steady.rs` the long run, `self_excited.rs` that without a load, `sliding.rs` the stability of steady sliding, and `border.rs` the closed form for one contact.
+//! can hold, `blow.rs` what happens at stops with a restitution, `massless.rs` what has no mass, `follow.rs` the motion from event to event, `events.rs` what watches it, `levels.rs` the passages of values,
+//! `spring.rs` the springs with laws, `grid.rs` many systems on all cores, `motion.rs` its answers, `steady.rs` the long run, `self_excited.rs` that without a load, `sliding.rs` the stability of steady sliding, and `border.rs` the closed form for one contact.
 
 mod assembly;
+mod blow;
 mod border;
 mod branch;
 mod branches;
@@ -52,6 +53,7 @@ mod forced;
 mod grid;
 mod kept;
 mod levels;
+mod massless;
 mod matrix;
 mod model;
 mod modes;
@@ -97,7 +99,7 @@ impl<F: Float> System<F> {
     ///
     /// # Errors
     /// [`Error`], which names the part and the condition: numbers are finite, matrices square, M symmetric and positive
-    /// definite, laws begin at 0 and increase, frictions are ≥ 0, stiffnesses > 0, peaks ≥ 1.
+    /// definite, laws begin at 0 and increase, frictions are ≥ 0, stiffnesses > 0, peaks ≥ 1, restitutions from 0 to 1.
     pub fn new(model: &Model<F>) -> Result<Self, Error> {
         Assembly::new(model).map(|assembly| Self { assembly })
     }

@@ -5,10 +5,10 @@ use crate::bits::Value;
 use crate::failure::Failure;
 use crate::progress;
 use std::borrow::Cow;
-use stickslip::inputs::units::{self, Kind, Reader, System, split};
-use stickslip::inputs::{Driven, Given, Input, Naming, Point, Role};
 use stickslip::motion::State;
 use stickslip::{Drive, Error, Oscillator, Quantity, Ratios};
+use stickslip_front::inputs::units::{self, Kind, Reader, System, split};
+use stickslip_front::inputs::{Driven, Given, Input, Naming, Point, Role};
 
 /// The typed inputs, in the system of the reader.
 pub(crate) fn read<F: Value>(typed: &[(Input, String)], reader: &Reader) -> Result<Given<F>, Failure> {

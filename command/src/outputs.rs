@@ -3,8 +3,9 @@
 use crate::failure::Outcome;
 use std::fmt::Write as _;
 use std::io::Write;
+use stickslip::internal::{ResponseAnswer, definitions as d};
 use stickslip::motion::SteadyAnswer;
-use stickslip::{Definition, Measure, Output as O, ResponseAnswer, definitions as d};
+use stickslip::{Definition, Measure, Output as O};
 
 /// The name of a column, with its unit and its meaning.
 pub(crate) type Key = &'static Definition;

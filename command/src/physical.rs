@@ -4,9 +4,9 @@ use crate::bits::Value;
 use crate::outputs::{Key, plain};
 use crate::row::{Cell, Number};
 use serde::ser::{Serialize, SerializeMap, Serializer};
-use stickslip::inputs::units::{Kind, System};
-use stickslip::inputs::{Driven, Given};
 use stickslip::{Excitation, Measure};
+use stickslip_front::inputs::units::{Kind, System};
+use stickslip_front::inputs::{Driven, Given};
 
 /// Values with their units.
 #[derive(Debug, Clone)]

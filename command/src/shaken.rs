@@ -6,9 +6,9 @@ use crate::failure::Failure;
 use crate::floor::Oscillators;
 use crate::{input, measured};
 use stickslip::Excitation;
-use stickslip::inputs::units::{Kind, Reader};
-use stickslip::inputs::{Given, Input, Role};
 use stickslip::motion::record::{Body, Record};
+use stickslip_front::inputs::units::{Kind, Reader};
+use stickslip_front::inputs::{Given, Input, Role};
 use stickslip_front::record::Summary;
 
 /// The body, the record and the start of a motion.
@@ -99,7 +99,7 @@ impl<F: Value> Surface<F> {
             let missing = given.missing(&Input::of_role(Role::Spring));
             return Err(format!("{missing}. A body without a spring has --no-spring").into());
         }
-        let body = Body::given(given, self.slope)?;
+        let body = given.body(self.slope)?;
         Ok(if self.is_one_way { body.one_way() } else { body })
     }
 }

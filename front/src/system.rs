@@ -22,7 +22,7 @@ mod spring;
 mod tabled;
 mod unique;
 
-pub use answer::{Answer, OfBorder, Samples, Units, is_contact, kind_of};
+pub use answer::{Answer, OfBorder, Samples, Units, is_contact, is_hard, kind_of};
 pub use built::NamedSystem;
 pub use described::Described;
 pub use description::{Description, OfElement, OfSliding, OfThreshold};

@@ -95,10 +95,13 @@ impl<F: Float> Friction<F> {
     fn new(given: &Assembly<F>) -> Result<Self, Error> {
         let zero = F::int(0);
         let [part] = given.parts.as_slice() else {
-            return Err(unsupported("elements", "must be one contact: the closed form is that of one"));
+            return Err(unsupported(
+                "elements",
+                "must be one contact: with stops or further contacts there is no closed form",
+            ));
         };
         let Rule::Contact { pieces, peak, normal } = &part.rule else {
-            return Err(unsupported(&part.name, "must be a contact"));
+            return Err(unsupported(&part.name, "must be a contact that is neither elastic nor a stop"));
         };
         let ([piece], None) = (pieces.as_slice(), normal) else {
             return Err(unsupported(&part.name, "must have one friction force, at every speed and time"));
@@ -107,13 +110,22 @@ impl<F: Float> Friction<F> {
             return Err(unsupported(&part.name, "must not move on its other side"));
         }
         let [frequency] = given.frequencies.as_slice() else {
-            return Err(unsupported("harmonics", "must be one: the closed form is that of one"));
+            return Err(unsupported(
+                "harmonics",
+                "must be one: loads of several frequencies have no closed form",
+            ));
         };
         if !given.moved.is_empty() {
             return Err(unsupported("moved", "must be absent: the closed form is that of a harmonic load"));
         }
         if !given.records.is_empty() {
             return Err(unsupported("records", "must be absent: the closed form is that of a harmonic load"));
+        }
+        if !given.massless.is_empty() {
+            return Err(unsupported(
+                "mass",
+                "must be > 0 at each coordinate: the closed form is that of bodies with mass",
+            ));
         }
         let (n, frequency) = (given.n, *frequency);
         let constant: Vec<F> = given.load.rows().filter_map(|row| row.last().copied()).collect();

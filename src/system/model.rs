@@ -11,7 +11,9 @@ use alloc::vec::Vec;
 /// checked before [`System::new`](super::System::new).
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Model<F> {
-    /// M by rows: symmetric and positive definite.
+    /// The names of the coordinates, which errors use; their places where it is empty.
+    pub coordinates: Vec<String>,
+    /// M by rows: symmetric and positive definite, but for coordinates whose row is 0. These have no mass: their forces balance.
     pub mass: Vec<Vec<F>>,
     /// C by rows.
     pub damping: Vec<Vec<F>>,
@@ -183,6 +185,14 @@ pub enum Kind<F> {
         stiffness: F,
         /// The damping constant.
         damping: F,
+    },
+    /// A stop that gives no way: where y reaches the gap with a velocity v > 0, that becomes −restitution · v at once. After ever smaller
+    /// blows, and with the restitution 0 after the first, it holds y = gap with a force T ≥ 0, and opens where T would be below 0.
+    HardStop {
+        /// The gap.
+        gap: F,
+        /// The coefficient of restitution, from 0 to 1.
+        restitution: F,
     },
     /// A spring whose force T over y is straight between points (displacement, force), of which there are at least two. Their
     /// displacements increase, and the first and the last straight line go on beyond them. Its work is what it stores.

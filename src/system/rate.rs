@@ -39,6 +39,7 @@ impl<F: Float> System<F> {
                 Rule::Contact { .. } => Mode::Stuck,
                 Rule::Elastic { .. } => Mode::Holds,
                 Rule::Stop { .. } => Mode::Pressed,
+                Rule::Hard { .. } => Mode::Away,
                 Rule::Spring { pieces } => Mode::Bends { piece: place(pieces, rises) },
             };
             let modes: Vec<Mode> = system.parts.iter().map(|part| mode(&part.rule)).collect();

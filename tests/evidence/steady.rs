@@ -6,8 +6,9 @@ use crate::random::Random;
 use crate::sampled::{Cycle, Extreme, Limit, Load, Of};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
+use stickslip::Excitation;
+use stickslip::internal::{Value, observed};
 use stickslip::motion::{LongRun, State, SteadyAnswer, SteadyState};
-use stickslip::{Excitation, Value, observed};
 
 /// A value that the samples give.
 #[derive(Debug, Clone, Copy)]

@@ -82,6 +82,11 @@ pub(crate) fn broken<F: Float>(
             let ((a, f), (b, g)) = (points[place], points[place + 1]);
             (force - (f + (g - f) * (y - a) / (b - a))).abs() > doubt
         }
+        Kind::HardStop { gap, .. } => {
+            // It pushes where it is touched, and nothing is beyond it.
+            let is_away = y < *gap - doubt;
+            y > *gap + doubt || force < -doubt || (is_away && force.abs() > doubt)
+        }
     };
     is_broken.then(|| format!("y = {y}, v = {v}, T = {force}"))
 }

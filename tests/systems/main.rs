@@ -15,7 +15,10 @@ mod clutches;
 mod generator;
 #[cfg(feature = "rayon")]
 mod grid;
+mod impacts;
+mod law_ends;
 mod long_run;
+mod massless;
 mod one_body;
 #[cfg(feature = "mp")]
 mod precise;

@@ -3,12 +3,13 @@
 use crate::asked::{Asked, Problem};
 use crate::map::place;
 use serde_json::{Map, Value, json};
-use stickslip::inputs::units::{Kind, System};
-use stickslip::inputs::{Given, Input, Point, Role};
+use stickslip::internal::{Column, ResponseAnswer, When};
 use stickslip::motion::{LongRun, SteadyAnswer};
-use stickslip::words::{self, digits};
-use stickslip::{Column, Definition, Drive, Measure, NoStop, Response, ResponseAnswer, When};
+use stickslip::{Definition, Drive, Measure, NoStop, Response};
+use stickslip_front::inputs::units::{Kind, System};
+use stickslip_front::inputs::{Given, Input, Point, Role};
 use stickslip_front::without::{is_of_friction, without_friction};
+use stickslip_front::words::{self, digits};
 
 /// The answers of `stickslip response` and `stickslip steady` to the question.
 pub(crate) fn answer(asked: &Asked<'_>) -> Result<Value, String> {
@@ -67,7 +68,7 @@ pub(crate) fn length(x: f64, point: &Point<f64>, system: &System) -> String {
 fn notes(problem: &Problem) -> Vec<String> {
     let Problem { given, point, .. } = problem;
     let Some(machine) = &point.machine else { return Vec::new() };
-    let base = words::base_motion(machine.drive.excitation()).map(|base| format!("Base motion {base}."));
+    let base = words::base_motion_sentence(machine.drive.excitation());
     let mean = digits(machine.scales.mean_displacement);
     let shifted = given.is_shifted().then(|| {
         format!("Displacements are measured from the mean displacement of {mean} {}.", given.system.length())
@@ -134,7 +135,7 @@ impl Values<'_> {
         columns.map(|column| self.value(column.definition, (column.of)(answer))).collect()
     }
 
-    fn value(&self, definition: &Definition, value: stickslip::Value<f64>) -> Value {
+    fn value(&self, definition: &Definition, value: stickslip::internal::Value<f64>) -> Value {
         let mut row = Map::new();
         let mut add = |name: &str, value: Value| row.insert(name.to_owned(), value);
         add("name", json!(definition.name));
@@ -142,24 +143,26 @@ impl Values<'_> {
         add("meaning", json!(definition.meaning));
         add("unit", json!(definition.measure.unit()));
         let value = match value {
-            stickslip::Value::Number(Some(x)) if self.is_frictionless => {
-                stickslip::Value::Number(Some(without_friction(definition.measure, x)))
+            stickslip::internal::Value::Number(Some(x)) if self.is_frictionless => {
+                stickslip::internal::Value::Number(Some(without_friction(definition.measure, x)))
             }
             value => value,
         };
         let own = match value {
             // Values in units of the friction do not exist without it.
-            stickslip::Value::Number(_) if self.is_frictionless && is_of_friction(definition.measure) => {
+            stickslip::internal::Value::Number(_)
+                if self.is_frictionless && is_of_friction(definition.measure) =>
+            {
                 Value::Null
             }
-            stickslip::Value::Number(number) => json!(number),
-            stickslip::Value::Count(count) => json!(count),
-            stickslip::Value::Flag(flag) => json!(flag),
-            stickslip::Value::Text(text) => json!(text),
-            stickslip::Value::Pairs(pairs) => json!(pairs),
+            stickslip::internal::Value::Number(number) => json!(number),
+            stickslip::internal::Value::Count(count) => json!(count),
+            stickslip::internal::Value::Flag(flag) => json!(flag),
+            stickslip::internal::Value::Text(text) => json!(text),
+            stickslip::internal::Value::Pairs(pairs) => json!(pairs),
         };
         add("value", own);
-        if let stickslip::Value::Number(number) = value
+        if let stickslip::internal::Value::Number(number) = value
             && let Some(machine) = &self.point.machine
             && let Some(name) = definition.physical_name(machine.drive.excitation())
         {

@@ -3,7 +3,7 @@
 use crate::asked::{Asked, Problem, length};
 use serde_json::{Value, json};
 use stickslip::motion::{LongRun, Starts, attractors};
-use stickslip::words;
+use stickslip_front::words;
 
 /// The most periods that a start is followed, as `stickslip attractors` follows it.
 const PERIODS: u32 = 2000;

@@ -3,7 +3,7 @@
 use crate::asked::Asked;
 use serde_json::{Map, Value, json};
 use std::path::Path;
-use stickslip::inputs::units::Kind;
+use stickslip_front::inputs::units::Kind;
 use stickslip_front::system::{
     Answer, Described, Description, Digits, NamedSystem, OfBorder, Samples, border_verdict, digits_sentence,
     parsed, steady_verdict,
@@ -63,7 +63,7 @@ pub(crate) fn system(asked: &Asked<'_>) -> Result<Value, String> {
         let until: f64 = system.reader().value("until", text, Kind::Time)?;
         system.check_until(until, &format!("until {text}"))?;
         let (motion, digits) = system.simulate(&described.start, until).map_err(failed)?;
-        let verdict = format!("The motion from the start to {} s.", stickslip::words::digits(until));
+        let verdict = format!("The motion from the start to {} s.", stickslip_front::words::digits(until));
         add("verdict", json!(with_digits(verdict, described, digits.as_ref())));
         add("motion", as_json(&Answer::transient(described, &motion).with_digits(digits.as_ref()))?);
         add("samples", samples(&described.start, until)?);

@@ -12,9 +12,9 @@ use crate::row::{Cell, Cells};
 use crate::shaken::Surface;
 use std::io::Write;
 use stickslip::Excitation;
-use stickslip::inputs::Given;
-use stickslip::inputs::units::Kind;
 use stickslip::motion::record::Record;
+use stickslip_front::inputs::Given;
+use stickslip_front::inputs::units::Kind;
 
 pub(super) fn respond<F: Value>(
     args: &DecayArgs,

@@ -12,9 +12,9 @@ use crate::shaken::Surface;
 use crate::sink::Sink;
 use std::io::Write;
 use stickslip::Excitation;
-use stickslip::inputs::units::{Kind, Reader, System};
-use stickslip::inputs::{Given, Input, Role};
 use stickslip::motion::record::{After, Record, RecordMotion};
+use stickslip_front::inputs::units::{Kind, Reader, System};
+use stickslip_front::inputs::{Given, Input, Role};
 
 /// The most samples, and the most half turns of the body's own vibration.
 const MOST: f64 = 1e6;

@@ -7,9 +7,9 @@ use crate::motion_plot::{axis, panel};
 use crate::threads;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
-use stickslip::inputs::units::Kind as Of;
 use stickslip::system::{Element, Kind, Motion, State};
-use stickslip_figures::{Axis, Figure, Panel, Series, Style};
+use stickslip_draw::{Axis, Figure, Panel, Series, Style};
+use stickslip_front::inputs::units::Kind as Of;
 use stickslip_front::system::{Cell, Described, Grid, NamedSystem};
 
 /// The samples of a motion between which a picture draws straight lines.

@@ -2,8 +2,8 @@
 
 use super::described::Described;
 use super::tabled::Digits;
+use crate::inputs::units::{Kind as Of, System};
 use serde::Serialize;
-use stickslip::inputs::units::{Kind as Of, System};
 use stickslip::system::{Border, Cycle, Element, Kind, Motion, State, Steady};
 
 /// Displacements and velocities.
@@ -26,6 +26,9 @@ struct OfElement<'a> {
     kind: &'static str,
     time_at_rest: f64,
     stops: usize,
+    /// Of a stop with a restitution.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    blows: Option<usize>,
     work: f64,
 }
 
@@ -36,6 +39,11 @@ struct OfEvent<'a> {
     element: usize,
     name: &'a str,
     kind: &'static str,
+    /// The velocities along the stop before and after a blow.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    velocity_before: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    velocity_after: Option<f64>,
 }
 
 /// A motion, or a period of a steady one.
@@ -127,14 +135,21 @@ pub const fn kind_of(element: &Element<f64>) -> &'static str {
     match element.kind {
         Kind::Contact { .. } => "contact",
         Kind::Elastic { .. } => "elastic",
-        Kind::Stop { .. } => "stop",
+        Kind::Stop { .. } | Kind::HardStop { .. } => "stop",
         Kind::Spring { .. } => "spring",
     }
 }
 
 /// Whether an element is a contact, rigid or elastic: it may be at rest.
+#[must_use]
 pub const fn is_contact(element: &Element<f64>) -> bool {
     matches!(element.kind, Kind::Contact { .. } | Kind::Elastic { .. })
+}
+
+/// Whether an element is a stop with a restitution.
+#[must_use]
+pub const fn is_hard(element: &Element<f64>) -> bool {
+    matches!(element.kind, Kind::HardStop { .. })
 }
 
 impl<'a> Answer<'a> {
@@ -166,6 +181,7 @@ impl<'a> Answer<'a> {
                     kind: kind_of(element),
                     time_at_rest: found.time_at_rest,
                     stops: found.stops,
+                    blows: is_hard(element).then_some(found.blows),
                     work: found.work,
                 })
                 .collect(),
@@ -177,6 +193,8 @@ impl<'a> Answer<'a> {
                     element: event.element,
                     name: described.name_of(event.element),
                     kind: event.kind.name(),
+                    velocity_before: event.velocities.map(|pair| pair.0),
+                    velocity_after: event.velocities.map(|pair| pair.1),
                 })
                 .collect(),
             load_work: motion.load_work,

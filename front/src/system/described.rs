@@ -2,7 +2,7 @@
 
 use super::laws::Law as Curved;
 use super::node::{Fields, Node};
-use stickslip::inputs::units::System as Units;
+use crate::inputs::units::System as Units;
 use stickslip::system::{Base, Error, Law, Model, Signal, State, System};
 
 /// The greatest number of coordinates: the matrices are dense.
@@ -98,6 +98,30 @@ pub(super) fn peak(fields: &Fields<'_>) -> Result<f64, String> {
         (Some(node), None) | (None, Some(node)) => node.at_least(node.number()?, 1.0),
         (None, None) => Ok(1.0),
     }
+}
+
+/// The restitution of a stop that gives no way, from 0 to 1; none for a stop with a stiffness. `others` are the names of fields that are
+/// read elsewhere.
+pub(super) fn restitution(fields: &Fields<'_>, others: &[&'static str]) -> Result<Option<f64>, String> {
+    let Some(node) = fields.get("restitution") else {
+        if fields.get("stiffness").is_none() {
+            // A misspelt name says more than a missing one.
+            let known = ["damping", "coefficient", "along", "peak", "static_ratio"];
+            fields.end_with(&[&known[..], others].concat())?;
+            return Err(fields.node.wrong("needs one of stiffness and restitution"));
+        }
+        return Ok(None);
+    };
+    for name in ["stiffness", "damping", "coefficient", "along", "peak", "static_ratio"] {
+        if let Some(node) = fields.get(name) {
+            return Err(node.wrong("must be left out of a stop with a restitution, which gives no way"));
+        }
+    }
+    let value = node.at_least(node.number()?, 0.0)?;
+    if value > 1.0 {
+        return Err(node.wrong("must be ≤ 1"));
+    }
+    Ok(Some(value))
 }
 
 /// A law from pairs of a speed and a force.

@@ -72,6 +72,10 @@ fn of_motion<'n>(motion: &'n mut Motion<f64>, is_phase: bool, into: &mut Vec<Num
     }
     for event in &mut motion.events {
         into.push(Number { unit: Unit::Event, is_phase, value: &mut event.time });
+        if let Some((before, after)) = &mut event.velocities {
+            into.push(Number { unit: Unit::Velocity, is_phase, value: before });
+            into.push(Number { unit: Unit::Velocity, is_phase, value: after });
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 use super::curve::{Curve, Mesh, Of as Kind, Points, size};
 use super::formula::Formula;
 use super::node::{Fields, Node};
-use stickslip::inputs::units::Kind as Of;
+use crate::inputs::units::Kind as Of;
 use stickslip::system::{Element, Model, Signal, State};
 
 /// The exponent of a Stribeck law that gives none: Gauss's curve, as after Armstrong-Hélouvry.

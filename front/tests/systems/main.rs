@@ -52,6 +52,7 @@ fn by_names() -> Value {
         "stops": [
             {"between": ["ground", "roof"], "gap": "9 mm", "stiffness": "1 kN/mm", "damping": 0.1},
             {"between": ["ground", "roof"], "gap": "9 mm", "stiffness": 3, "coefficient": 0.3, "along": ["ground", "block"]},
+            {"between": ["block", "roof"], "gap": "20 mm", "restitution": 0.4},
         ],
         "forces": [
             {"on": "roof", "amplitude": "1.5 kN", "frequency": "3 Hz", "phase": "30deg"},
@@ -71,6 +72,7 @@ fn by_matrices() -> Value {
             {"type": "contact", "direction": [1, 0], "friction": 450, "belt": {"const": 1, "sin": [0.5]}},
             {"type": "elastic", "direction": [1, -1], "stiffness": 50, "friction": 3},
             {"type": "stop", "direction": [0, 1], "gap": 0.1, "stiffness": 1e4, "side": -1},
+            {"type": "stop", "direction": [1, 0], "gap": 0.4, "restitution": 0.6},
             {"type": "contact", "direction": [0, 1], "friction": 0.3, "normal": {"const": 2, "displacement": [0.1, 0]}},
             {"type": "spring", "direction": [0, 1], "law": [[-1, 0], [0, 0], [1, 20]], "odd": false},
         ],
