@@ -25,7 +25,7 @@
 //! `branch.rs` has the linear equation between two events and the proof of the certificate, `timeline.rs` has the samples of records in time, `first_passage.rs` the search for a
 //! guard's first zero, `next_branch.rs` the choice of the next branch, `dependent.rs` what contacts with dependent directions
 //! can hold, `blow.rs` what happens at stops with a restitution, `massless.rs` what has no mass, `follow.rs` the motion from event to event, `events.rs` what watches it, `levels.rs` the passages of values,
-//! `grid.rs` many systems on all cores, `motion.rs` its answers, `steady.rs` the long run, `self_excited.rs` that without a load, `sliding.rs` the stability of steady sliding, and `border.rs` the closed form for one contact.
+//! `spring.rs` the springs with laws, `grid.rs` many systems on all cores, `motion.rs` its answers, `steady.rs` the long run, `self_excited.rs` that without a load, `sliding.rs` the stability of steady sliding, and `border.rs` the closed form for one contact.
 
 mod assembly;
 mod blow;
@@ -58,6 +58,7 @@ mod propagator;
 mod rate;
 mod self_excited;
 mod sliding;
+mod spring;
 mod steady;
 mod timeline;
 
@@ -113,6 +114,31 @@ impl<F: Float> System<F> {
     #[must_use]
     pub const fn while_allowed(mut self, keep_going: fn() -> ControlFlow<()>) -> Self {
         self.assembly.keep_going = keep_going;
+        self
+    }
+
+    /// This system, whose motions end with [`Error::LeavesLaw`] where the speed of the contact at this place, or the size of the stretch of
+    /// the spring with a law, exceeds a limit: its law is not known beyond.
+    ///
+    /// ```
+    /// use stickslip::system::{Element, Error, Kind, Model, Signal, State, System};
+    /// // A mass of 1 on a spring with T = y, which is known up to 2, leaves the origin with the velocity 3.
+    /// let kind = Kind::Spring { points: vec![(-2.0, -2.0), (2.0, 2.0)] };
+    /// let spring = Element { name: "spring".into(), direction: vec![1.0], moves: Signal::constant(0.0), kind };
+    /// let one = |x: f64| vec![vec![x]];
+    /// let model = Model { mass: one(1.0), damping: one(0.0), stiffness: one(0.0), elements: vec![spring], ..Model::default() };
+    /// let system = System::new(&model)?.stopping_beyond(0, 2.0);
+    /// let start = State { velocity: vec![3.0], ..State::rest(1) };
+    /// // sin t = 2/3
+    /// assert!(system.simulate(&start, 0.72).is_ok());
+    /// assert!(matches!(system.simulate(&start, 0.74), Err(Error::LeavesLaw { element: 0, .. })));
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    pub fn stopping_beyond(mut self, element: usize, limit: F) -> Self {
+        if let Some(part) = self.assembly.parts.get_mut(element) {
+            part.limit = Some(limit);
+        }
         self
     }
 

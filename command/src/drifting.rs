@@ -39,7 +39,7 @@ pub(crate) fn run(args: &SteadyArgs, given: &Given<f64>, out: &mut impl Write) -
     if args.output.is_json()? {
         return output::json(&Answer::steady(&asked.described, &found), out);
     }
-    steady_motion(&asked, &found, out)
+    steady_motion(&asked, &found, None, out)
 }
 
 /// Half the difference of the frictions against forward and against backward motion.

@@ -24,14 +24,19 @@ use stickslip::system::State;
 use stickslip_draw::Figure;
 use stickslip_front::inputs::units::Kind as Of;
 use stickslip_front::record::Summary;
-use stickslip_front::system::{Answer, LONGEST, NamedSystem, OfBorder, Samples, decoded, parsed};
+use stickslip_front::system::{
+    Answer, Digits, LONGEST, NamedSystem, OfBorder, Samples, Why, decoded, parsed,
+};
 
 /// The memory of the samples of a motion in bytes.
 const MEMORY: u64 = 200_000_000;
 
 pub(crate) fn run(args: &SystemArgs, out: &mut impl Write) -> Outcome {
     check_options(args)?;
-    let value = read(&args.file)?;
+    let mut value = read(&args.file)?;
+    if let Some(text) = &args.law_tolerance {
+        NamedSystem::set_tolerance(&mut value, text).map_err(|e| format!("--law-tolerance {text}: {e}"))?;
+    }
     if is_table(args) {
         return table::run(&value, args, out);
     }
@@ -70,7 +75,7 @@ fn named(value: &Value, args: &SystemArgs) -> Result<(NamedSystem, Option<Shakin
     let set = args.set.iter().map(|text| path_and_value(text)).collect::<Result<Vec<_>, _>>()?;
     let about = |e: String| Failure::Input(format!("{}: {e}", args.file.display()));
     let found = NamedSystem::new(value, set, folder(args), args.units.units.as_ref()).map_err(about)?;
-    let (mut found, read) = match args.records.first() {
+    let (found, read) = match args.records.first() {
         Some(file) => {
             let (record, summary) =
                 crate::measured::read::<f64>(file, &LoadArgs::default(), &found.reader())?;
@@ -79,8 +84,7 @@ fn named(value: &Value, args: &SystemArgs) -> Result<(NamedSystem, Option<Shakin
         }
         None => (found, None),
     };
-    found.system = found.system.while_allowed(interrupt::keep_going);
-    Ok((found, read))
+    Ok((found.while_allowed(interrupt::keep_going), read))
 }
 
 /// Refuses an option that the question does not use.
@@ -166,7 +170,6 @@ fn until(asked: &mut NamedSystem, args: &SystemArgs) -> Result<f64, Failure> {
     };
     if text.contains('=') {
         let until = asked.until_level(text).map_err(|e| format!("--until {e}"))?;
-        asked.system = asked.system.clone().while_allowed(interrupt::keep_going);
         return Ok(until);
     }
     let until: f64 = asked.reader().value("--until", text, Of::Time)?;
@@ -195,10 +198,10 @@ fn simulate(
     if let Some(times) = samples(asked, args, until)? {
         return sampled(asked, args, start, &times, out);
     }
-    let motion = asked.system.simulate(start, until).map_err(|e| of_file(args, &e))?;
+    let (motion, digits) = asked.simulate(start, until).map_err(|e| of_file(args, e))?;
     drawn(args, || picture::motion(asked, start, &motion, &picture::title(&asked.described, "Motion")))?;
     if is_json(args)? {
-        let answer = Answer::transient(&asked.described, &motion);
+        let answer = Answer::transient(&asked.described, &motion).with_digits(digits.as_ref());
         return match read {
             Some((summary, record)) => output::json(&OfRecord::new(&answer, summary, record), out),
             None => output::json(&answer, out),
@@ -208,30 +211,33 @@ fn simulate(
         writeln!(out, "{}", crate::measured::lines(summary, record))?;
     }
     let seconds = if asked.described.units.is_some() { " s" } else { "" };
-    writeln!(out, "The motion from the start to {}{seconds}.\n", crate::bits::digits(until))?;
+    writeln!(out, "The motion from the start to {}{seconds}.", crate::bits::digits(until))?;
+    words::digits_known(&asked.described, digits.as_ref(), out)?;
+    writeln!(out)?;
     words::motion(&asked.described, &motion, out)
 }
 
 fn steady(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Write) -> Outcome {
-    let found = asked.system.steady(&asked.described.start).map_err(|e| of_file(args, &e))?;
+    let (found, digits) = asked.steady(&asked.described.start).map_err(|e| of_file(args, e))?;
     if let Some(times) = samples(asked, args, found.period)? {
         return sampled(asked, args, &found.start, &times, out);
     }
     let title = || picture::title(&asked.described, &format!("Steady motion ({})", found.kind.name()));
     drawn(args, || picture::motion(asked, &found.start, &found.motion, &title()))?;
     if is_json(args)? {
-        return output::json(&Answer::steady(&asked.described, &found), out);
+        return output::json(&Answer::steady(&asked.described, &found).with_digits(digits.as_ref()), out);
     }
-    steady_motion(asked, &found, out)
+    steady_motion(asked, &found, digits.as_ref(), out)
 }
 
 /// A steady motion in words.
 pub(crate) fn steady_motion(
     asked: &NamedSystem,
     found: &stickslip::system::Steady<f64>,
+    digits: Option<&Digits>,
     out: &mut impl Write,
 ) -> Outcome {
-    words::steady(&asked.described, found, out)?;
+    words::steady(&asked.described, found, digits, out)?;
     words::motion(&asked.described, &found.motion, out)
 }
 
@@ -254,7 +260,7 @@ fn sampled(
             return Err("--format: must be csv or json with --samples".into());
         }
     };
-    let states = asked.system.states(start, times).map_err(|e| of_file(args, &e))?;
+    let states = asked.states(start, times).map_err(|e| of_file(args, e))?;
     let samples = Samples::new(&asked.described, times, &states);
     let write = |mut out: &mut dyn Write| -> Outcome {
         let Some(format) = format else {
@@ -279,9 +285,10 @@ fn sampled(
 }
 
 fn border(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Write) -> Outcome {
-    let found = asked.system.border().map_err(|e| of_file(args, &e))?;
+    let found = asked.system.border().map_err(|e| of_file(args, e.into()))?;
     // Below the border the cycle is no motion.
-    let cycle = asked.system.cycle().map_err(|e| of_file(args, &e))?.filter(|cycle| cycle.margin >= 1.0);
+    let cycle =
+        asked.system.cycle().map_err(|e| of_file(args, e.into()))?.filter(|cycle| cycle.margin >= 1.0);
     if is_json(args)? {
         return output::json(&OfBorder::new(&found, cycle.as_ref()), out);
     }
@@ -289,8 +296,17 @@ fn border(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Write) -> Outco
 }
 
 /// An error of the engine, with the name of the file.
-fn of_file(args: &SystemArgs, error: &stickslip::system::Error) -> Failure {
-    Failure::from(error.clone()).about(&args.file.display().to_string())
+fn of_file(args: &SystemArgs, error: Why) -> Failure {
+    Failure::from(error).about(&args.file.display().to_string())
+}
+
+impl From<Why> for Failure {
+    fn from(why: Why) -> Self {
+        match why {
+            Why::Engine(error) => error.into(),
+            Why::Law(why) => Self::Input(why),
+        }
+    }
 }
 
 impl From<stickslip::system::Error> for Failure {

@@ -6,22 +6,31 @@
 mod answer;
 mod builder;
 mod built;
+mod curve;
 mod described;
 mod description;
+mod digits;
 mod file;
+mod formula;
 mod grid;
+mod laws;
 mod named;
 mod node;
 mod sentence;
 mod signals;
+mod spring;
+mod tabled;
 mod unique;
 mod written;
 
-pub use answer::{Answer, OfBorder, Samples, Units, is_hard, kind_of};
+pub use answer::{Answer, OfBorder, Samples, Units, is_contact, is_hard, kind_of};
 pub use built::NamedSystem;
 pub use described::Described;
 pub use description::{Description, OfElement, OfSliding, OfThreshold};
 pub use file::{LONGEST, MOST_VALUES, decoded, parsed, units_of};
 pub use grid::{Asked, Axis, Cell, Grid, MOST_ROWS};
-pub use sentence::{border_verdict, frequency_of, plural, sliding_verdict, steady_verdict, with_unit};
+pub use sentence::{
+    border_verdict, digits_sentence, frequency_of, plural, sliding_verdict, steady_verdict, with_unit,
+};
+pub use tabled::{Digits, OfTable, Why};
 pub use written::File;

@@ -13,8 +13,8 @@ use stickslip::motion::record::Record;
 use stickslip::system::Error;
 use stickslip_front::inputs::units::{Kind, System as Units};
 use stickslip_front::system::{
-    Answer, Asked, Axis, Cell, Description, Grid, NamedSystem, OfBorder, Samples, Units as UnitsOf, decoded,
-    parsed,
+    Answer, Asked, Axis, Cell, Description, Grid, NamedSystem, OfBorder, Samples, Units as UnitsOf, Why,
+    decoded, parsed,
 };
 
 /// Rows that are computed before signals are asked for.
@@ -113,15 +113,17 @@ impl NativeSystem {
 
     fn steady(&self, py: Python<'_>) -> PyResult<String> {
         let named = Arc::clone(&self.named);
-        let found = left_behind(py, move || named.system.steady(&named.described.start))?;
-        json(&Answer::steady(&self.named.described, &found.map_err(refused)?))
+        let found = left_behind(py, move || named.steady(&named.described.start))?;
+        let (found, digits) = found.map_err(refused)?;
+        json(&Answer::steady(&self.named.described, &found).with_digits(digits.as_ref()))
     }
 
     fn simulate(&self, py: Python<'_>, until: f64) -> PyResult<String> {
         self.named.check_until(until, &format!("until = {until}")).map_err(refused)?;
         let named = Arc::clone(&self.named);
-        let found = left_behind(py, move || named.system.simulate(&named.described.start, until))?;
-        json(&Answer::transient(&self.named.described, &found.map_err(refused)?))
+        let found = left_behind(py, move || named.simulate(&named.described.start, until))?;
+        let (found, digits) = found.map_err(refused)?;
+        json(&Answer::transient(&self.named.described, &found).with_digits(digits.as_ref()))
     }
 
     /// Displacements, velocities, forces and absolute accelerations at times, row by row, from the start or over a steady
@@ -137,12 +139,12 @@ impl NativeSystem {
             self.named.check_until(*last, &format!("times up to {last}")).map_err(refused)?;
         }
         let named = Arc::clone(&self.named);
-        let work = move || -> Result<[Vec<f64>; 4], Error> {
+        let work = move || -> Result<[Vec<f64>; 4], Why> {
             let start = match is_steady {
-                true => named.system.steady(&named.described.start)?.start,
+                true => named.steady(&named.described.start)?.0.start,
                 false => named.described.start.clone(),
             };
-            let states = named.system.states(&start, &times)?;
+            let states = named.states(&start, &times)?;
             let samples = Samples::new(&named.described, &times, &states);
             let lists =
                 [samples.displacement, samples.velocity, samples.force, samples.absolute_acceleration];

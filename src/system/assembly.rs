@@ -27,13 +27,32 @@ pub(crate) struct Piece<F> {
 #[derive(Debug, Clone)]
 pub(crate) enum Rule<F> {
     /// `normal` is the row of N; without it N = 1.
-    Contact { pieces: Vec<Piece<F>>, peak: F, normal: Option<Vec<F>> },
+    Contact {
+        pieces: Vec<Piece<F>>,
+        peak: F,
+        normal: Option<Vec<F>>,
+    },
     /// `place` is the force's place in the state; `bound` the row of friction N.
-    Elastic { stiffness: F, place: usize, bound: Vec<F>, normal: Option<Vec<F>> },
+    Elastic {
+        stiffness: F,
+        place: usize,
+        bound: Vec<F>,
+        normal: Option<Vec<F>>,
+    },
     /// `depth` is the row of y − gap.
-    Stop { depth: Vec<F>, stiffness: F, damping: F },
+    Stop {
+        depth: Vec<F>,
+        stiffness: F,
+        damping: F,
+    },
     /// A stop that gives no way.
-    Hard { depth: Vec<F>, restitution: F },
+    Hard {
+        depth: Vec<F>,
+        restitution: F,
+    },
+    Spring {
+        pieces: Vec<Piece<F>>,
+    },
 }
 
 /// An element, ready for use.
@@ -51,6 +70,8 @@ pub(crate) struct Part<F> {
     /// The row of V′, less the accelerations that are prescribed to coordinates.
     pub(crate) moves: Vec<F>,
     pub(crate) rule: Rule<F>,
+    /// The speed, or the size of the stretch, up to which the law is known; none where it is known everywhere.
+    pub(crate) limit: Option<F>,
 }
 
 impl<F: Float> Part<F> {
@@ -58,7 +79,7 @@ impl<F: Float> Part<F> {
     pub(crate) fn normal(&self) -> Option<&[F]> {
         match &self.rule {
             Rule::Contact { normal, .. } | Rule::Elastic { normal, .. } => normal.as_deref(),
-            Rule::Stop { .. } | Rule::Hard { .. } => None,
+            Rule::Stop { .. } | Rule::Hard { .. } | Rule::Spring { .. } => None,
         }
     }
 
@@ -433,6 +454,15 @@ impl<F: Float> Assembly<F> {
                 depth: depth(&name, stretch.as_ref(), *gap)?,
                 restitution: share(&format!("{name}: restitution"), *restitution)?,
             },
+            Kind::Spring { points } => {
+                if stretch.is_none() {
+                    return Err(Error::Unsupported {
+                        name: format!("{name}: moves.constant"),
+                        condition: "must be 0, as the factors of records: the other side of a spring moves by waves",
+                    });
+                }
+                Rule::Spring { pieces: super::spring::pieces(&name, points)? }
+            }
         };
         let response = self.inverse_mass.of(&direction);
         if matches!(rule, Rule::Hard { .. }) && dot(&direction, &response) <= zero {
@@ -446,7 +476,7 @@ impl<F: Float> Assembly<F> {
             let by = direction.get(driven.coordinate).copied().unwrap_or(zero);
             add_times(&mut moves, -by, &driven.acceleration);
         }
-        Ok(Part { name, direction, response, velocity, stretch, moves, rule })
+        Ok(Part { name, direction, response, velocity, stretch, moves, rule, limit: None })
     }
 }
 

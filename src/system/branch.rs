@@ -46,6 +46,8 @@ pub(crate) enum Trigger {
     Clears,
     /// A lifted stop presses again.
     Presses,
+    /// The law is not known beyond.
+    Ends,
 }
 
 /// A guard: positive as long as its branch lasts.
@@ -415,6 +417,11 @@ fn guards<F: Float>(
                 if let Some(high) = from(piece + 1) {
                     add(i, Trigger::Piece(piece + 1), plus(times(&speed, -one), high));
                 }
+                if let Some(limit) =
+                    part.limit.filter(|&limit| from(piece + 1).is_none_or(|high| high > limit))
+                {
+                    add(i, Trigger::Ends, plus(times(&speed, -one), limit));
+                }
             }
             (Mode::Yields { .. }, Rule::Elastic { .. }) => add(i, Trigger::Stops, slip),
             (Mode::Holds, Rule::Elastic { bound, .. }) => {
@@ -428,6 +435,21 @@ fn guards<F: Float>(
                 add(i, Trigger::Closes, times(depth, -one))
             }
             (Mode::Pressed, Rule::Stop { .. }) => add(i, Trigger::Opens, tension.clone()),
+            (Mode::Bends { piece }, Rule::Spring { pieces }) => {
+                let stretch = part.stretch.as_deref().unwrap_or(&[]);
+                let from = |k: usize| pieces.get(k).map(|p: &Piece<F>| p.from);
+                if let Some((below, low)) = piece.checked_sub(1).zip(from(piece)) {
+                    add(i, Trigger::Piece(below), plus(stretch.to_vec(), -low));
+                }
+                if let Some(high) = from(piece + 1) {
+                    add(i, Trigger::Piece(piece + 1), plus(times(stretch, -one), high));
+                }
+                if let Some(limit) = part.limit {
+                    for sign in [one, -one] {
+                        add(i, Trigger::Ends, plus(times(stretch, sign), limit));
+                    }
+                }
+            }
             (Mode::Lifted, Rule::Stop { depth, .. }) => {
                 add(i, Trigger::Clears, depth.clone());
                 add(i, Trigger::Presses, times(&pressing(part), -one));
@@ -445,12 +467,15 @@ fn guards<F: Float>(
     guards
 }
 
-/// The speed at which a guard passes from one piece of a law to the next.
+/// The speed, or the size of the stretch, at which a guard passes from one piece of a law to the next.
 fn corner<F: Float>(system: &Assembly<F>, modes: &[Mode], guard: &Guard<F>) -> Option<F> {
     let part = system.parts.get(guard.element)?;
     match (guard.trigger, modes.get(guard.element)?, &part.rule) {
         (Trigger::Piece(to), Mode::Slides { piece, .. }, Rule::Contact { pieces, .. }) => {
             pieces.get(to.max(*piece)).map(|p| p.from)
+        }
+        (Trigger::Piece(to), Mode::Bends { piece }, Rule::Spring { pieces }) => {
+            pieces.get(to.max(*piece)).map(|p| p.from.abs())
         }
         _ => None,
     }

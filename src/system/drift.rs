@@ -7,6 +7,7 @@
 
 use super::assembly::{Assembly, Driven, Rule, unit};
 use super::matrix::{Matrix, add_times, dot, size_of_dot};
+use super::spring::stiffest;
 use crate::float::Float;
 use alloc::vec;
 use alloc::vec::Vec;
@@ -32,6 +33,7 @@ impl<F: Float> Drift<F> {
         for part in &system.parts {
             let row = match &part.rule {
                 Rule::Stop { depth, .. } | Rule::Hard { depth, .. } => Some(depth.as_slice()),
+                Rule::Spring { .. } => part.stretch.as_deref(),
                 Rule::Contact { .. } | Rule::Elastic { .. } => part.normal(),
             };
             noticed.extend(row.and_then(|row| row.get(..n)).map(<[F]>::to_vec));
@@ -193,6 +195,7 @@ impl<F: Float> Natural<F> {
                     stiffness = stiffness.or_larger(*own);
                 }
                 Rule::Stop { stiffness: own, .. } => stiffness = stiffness.or_larger(*own),
+                Rule::Spring { pieces } => stiffness = stiffness.or_larger(stiffest(pieces)),
                 Rule::Hard { .. } => {}
             }
         }

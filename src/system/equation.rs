@@ -28,6 +28,8 @@ pub(crate) enum Mode {
     Lifted,
     /// A stop that gives no way, in touch.
     Resting,
+    /// A spring, in the piece of its law with this number.
+    Bends { piece: usize },
 }
 
 impl Mode {
@@ -129,7 +131,7 @@ impl<F: Float> Equation<F> {
                     }
                 }
                 Mode::Stuck | Mode::Slides { .. } | Mode::Apart => {}
-                Mode::Away | Mode::Pressed | Mode::Lifted | Mode::Resting => {}
+                Mode::Away | Mode::Pressed | Mode::Lifted | Mode::Resting | Mode::Bends { .. } => {}
             }
         }
         // The velocities of what has no mass change as those that they follow from.
@@ -178,6 +180,7 @@ pub(crate) fn given_tension<F: Float>(part: &Part<F>, mode: Mode) -> Option<Vec<
             Some(bound.iter().map(|&x| sign::<F>(forward) * x).collect())
         }
         (Mode::Pressed, _) => Some(pressing(part)),
+        (Mode::Bends { piece }, _) => Some(super::spring::tension(part, piece)),
         _ => None,
     }
 }

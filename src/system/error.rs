@@ -102,6 +102,18 @@ pub enum Error {
     /// A motion that was not followed to its end, because [`System::while_allowed`](super::System::while_allowed) said so.
     #[error("interrupted")]
     Interrupted,
+    /// A motion that left the law of an element, as [`System::stopping_beyond`](super::System::stopping_beyond) bounds it.
+    #[error("{name}: the motion leaves its law, which ends at {limit}, at time {time}")]
+    LeavesLaw {
+        /// The place of the element.
+        element: usize,
+        /// Its name.
+        name: String,
+        /// The end of the law.
+        limit: Number,
+        /// The time reached.
+        time: Number,
+    },
     /// A motion that left the range of numbers.
     #[error("the motion must stay finite, but does not after time {time}")]
     Unbounded {

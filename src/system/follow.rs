@@ -14,6 +14,7 @@ use super::matrix::{Sum, absolute, add_times, dot, size_of_dot};
 use super::model::State;
 use super::next_branch::{AtRest, at_rest, decide, follows};
 use super::propagator::Propagator;
+use super::spring;
 use crate::float::Float;
 use crate::machine::error::written;
 use alloc::string::String;
@@ -393,6 +394,9 @@ impl<'a, F: Float> Follower<'a, F> {
                         Mode::Lifted
                     }
                 }
+                Rule::Spring { pieces } => {
+                    spring::mode(pieces, part.stretch.as_deref().map_or(F::int(0), |row| dot(row, &self.z)))
+                }
             });
         }
         Ok((modes, resting))
@@ -498,6 +502,14 @@ impl<'a, F: Float> Follower<'a, F> {
     fn undecided(&self, element: usize) -> Error {
         let name = self.system.parts.get(element).map_or_else(Default::default, |p| p.name.clone());
         Error::Undecided { name, time: written(self.time()) }
+    }
+
+    /// The law of an element is not known from here on.
+    fn leaves(&self, element: usize) -> Error {
+        let part = self.system.parts.get(element);
+        let name = part.map_or_else(Default::default, |part| part.name.clone());
+        let limit = part.and_then(|part| part.limit).unwrap_or(F::int(0));
+        Error::LeavesLaw { element, name, limit: written(limit), time: written(self.time()) }
     }
 
     /// Makes the branch with these modes the present one.
@@ -687,8 +699,11 @@ impl<'a, F: Float> Follower<'a, F> {
                 (Trigger::Piece(piece), _) => {
                     if let Mode::Slides { forward, .. } = *mode {
                         *mode = Mode::Slides { forward, piece };
+                    } else {
+                        *mode = Mode::Bends { piece };
                     }
                 }
+                (Trigger::Ends, _) => return Err(self.leaves(*element)),
                 (Trigger::Releases { forward }, Rule::Elastic { place, bound, .. }) => {
                     let force = sign::<F>(forward) * dot(bound, &self.z);
                     if let Some(place) = self.z.get_mut(*place) {
@@ -784,7 +799,7 @@ fn is_slow<F: Float>(system: &Assembly<F>, branch: &Branch<F>, element: usize, z
 fn slides<F: Float>(rule: &Rule<F>, v: F) -> Mode {
     let piece = match rule {
         Rule::Contact { pieces, .. } => pieces.partition_point(|p| p.from <= v.abs()).saturating_sub(1),
-        Rule::Elastic { .. } | Rule::Stop { .. } | Rule::Hard { .. } => 0,
+        Rule::Elastic { .. } | Rule::Stop { .. } | Rule::Hard { .. } | Rule::Spring { .. } => 0,
     };
     Mode::Slides { forward: v > F::int(0), piece }
 }

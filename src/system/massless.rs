@@ -865,6 +865,12 @@ impl<F: Float> Assembly<F> {
                 }
                 Rule::Elastic { normal, .. } => self.check_pressed(&part.name, normal.as_deref())?,
                 Rule::Hard { .. } => {}
+                Rule::Spring { .. } => {
+                    return unsupported(
+                        &part.name,
+                        "must have a stiffness in place of a law, because it touches a body without mass: give the body a mass",
+                    );
+                }
                 Rule::Stop { damping, .. } => {
                     if *damping > zero {
                         return unsupported(

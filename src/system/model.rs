@@ -209,6 +209,12 @@ pub enum Kind<F> {
         /// The coefficient of restitution, from 0 to 1.
         restitution: F,
     },
+    /// A spring whose force T over y is straight between points (displacement, force), of which there are at least two. Their
+    /// displacements increase, and the first and the last straight line go on beyond them. Its work is what it stores.
+    Spring {
+        /// The points.
+        points: Vec<(F, F)>,
+    },
 }
 
 /// The normal load of a contact, `signal + displacement·q + velocity·q′`; the contact is open while it is below 0. It does not

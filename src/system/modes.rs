@@ -8,13 +8,15 @@ use super::assembly::{Assembly, Rule, unit};
 use super::fixed_point::eigenvalues;
 use super::matrix::{Matrix, add_times, dot};
 use crate::float::Float;
+use alloc::vec;
 use alloc::vec::Vec;
 
 impl<F: Float> System<F> {
     /// The natural angular frequencies √λ of `K x = λ M x`, without dampers, in increasing order: with the elements at the
     /// places `held` at rest, and without the others.
     ///
-    /// A contact at rest holds `b·q` and takes away one frequency; an elastic contact adds its spring; a stop is open. A
+    /// A contact at rest holds `b·q` and takes away one frequency; an elastic contact adds its spring; a stop is open; a spring with a law
+    /// has the slope that it has at the stretch 0. A
     /// frequency of 0 is a rigid motion, and −√|λ| stands for a direction in which the stiffness is negative.
     ///
     /// A contact that slides on a side which travels without end, such as a belt, with a normal load by displacement, has its part
@@ -27,7 +29,7 @@ impl<F: Float> System<F> {
         let is_light = !system.massless.is_empty();
         let root = if is_light { Matrix::identity(n) } else { system.inverse_root_of_mass() };
         let mut directions: Vec<Vec<F>> = Vec::new();
-        let mut stiffness = system.sliding_stiffness(one, held);
+        let mut stiffness = system.sliding_stiffness(&vec![zero; n], one, held);
         let mut holds: Vec<Vec<F>> = system.moved.iter().map(|moved| unit(n, moved.coordinate)).collect();
         for part in held.iter().filter_map(|&place| system.parts.get(place)) {
             match &part.rule {
@@ -36,7 +38,7 @@ impl<F: Float> System<F> {
                         add_times(stiffness.row_mut(i), b * *own, &part.direction);
                     }
                 }
-                Rule::Stop { .. } | Rule::Hard { .. } => {}
+                Rule::Stop { .. } | Rule::Hard { .. } | Rule::Spring { .. } => {}
                 _ if is_light => directions.push(part.direction.clone()),
                 _ => {
                     let mut c = root.of(&part.direction);

@@ -65,6 +65,9 @@ pub struct ElementMotion<F> {
     /// The work that the bodies do on it, `∫ T b·q′ dt`: that of its other side is not included. That of a blow is the impulse times the mean
     /// of b·q′ before and after it, `½ (1 − e²) (b·q′)²/(b·M⁻¹b)` at a stop that does not move.
     pub work: F,
+    /// The greatest speed of a contact, or size of the stretch of a spring, whose law has an end
+    /// ([`System::stopping_beyond`](super::System::stopping_beyond)); none for the others.
+    pub reach: Option<F>,
 }
 
 /// Watches a motion for its answers.
@@ -79,6 +82,7 @@ pub(crate) struct Observer<F> {
     pub(crate) events: Vec<Event<F>>,
     at_rest: Vec<Sum<F>>,
     work: Vec<F>,
+    reach: Vec<F>,
     load_work: F,
     damper_work: F,
     terms: Vec<F>,
@@ -105,6 +109,7 @@ impl<F: Float> Observer<F> {
             events: Vec::new(),
             at_rest: vec![Sum::at(zero); system.parts.len()],
             work: vec![zero; system.parts.len()],
+            reach: vec![zero; system.parts.len()],
             load_work: zero,
             damper_work: zero,
             terms: Vec::new(),
@@ -156,6 +161,7 @@ impl<F: Float> Observer<F> {
                 stops: stops(i),
                 blows: self.events.iter().filter(|e| e.element == i && e.kind == EventKind::Blow).count(),
                 work,
+                reach: part.limit.and(self.reach.get(i).copied()),
             })
             .collect();
         Motion {
@@ -233,6 +239,23 @@ impl<F: Float> Observer<F> {
             *greatest = greatest_above(c, *greatest, error);
             c.iter_mut().for_each(|c| *c = -*c);
             *greatest = greatest_above(c, *greatest, error);
+        }
+    }
+
+    /// The greatest speeds, and sizes of stretches, of the elements whose law has an end, over a stretch whose Taylor terms are known.
+    fn reaches(&mut self, system: &Assembly<F>) {
+        let Self { terms, polynomial: c, reach, .. } = self;
+        for (part, reach) in system.parts.iter().zip(reach).filter(|(part, _)| part.limit.is_some()) {
+            let row = part.bends().map_or(part.velocity.as_slice(), |(stretch, _)| stretch);
+            c.clear();
+            c.extend(terms.chunks_exact(system.size.max(1)).map(|term| dot(row, term)));
+            let size = c.iter().fold(F::int(0), |sum, c| sum + c.abs());
+            if size > *reach {
+                shorten(c, size * F::epsilon());
+                *reach = greatest_above(c, *reach, size * F::epsilon());
+                c.iter_mut().for_each(|c| *c = -*c);
+                *reach = greatest_above(c, *reach, size * F::epsilon());
+            }
         }
     }
 
@@ -358,6 +381,7 @@ impl<F: Float> Watch<F> for Observer<F> {
             self.absolute_accelerations(system, branch, time);
         }
         self.works(system, branch, time, count);
+        self.reaches(system);
     }
 
     fn event(&mut self, event: Event<F>) {
@@ -423,7 +447,7 @@ fn forces<F: Float>(system: &Assembly<F>, branch: &Branch<F>, z: &[F]) -> Vec<F>
     // The least and the greatest force; a stop that gives no way has no greatest one.
     let of = |part: &Part<F>| match part.rule {
         Rule::Hard { .. } => (F::int(0), None),
-        Rule::Contact { .. } | Rule::Elastic { .. } | Rule::Stop { .. } => {
+        Rule::Contact { .. } | Rule::Elastic { .. } | Rule::Stop { .. } | Rule::Spring { .. } => {
             let bound = dot(&static_bound(part), z);
             (-bound, Some(bound))
         }

@@ -56,7 +56,7 @@ impl<F: Float> Contact<F> {
                 (kinetic, kinetic * *peak, false)
             }
             Rule::Hard { .. } => (F::int(0), F::int(0), true),
-            Rule::Elastic { .. } | Rule::Stop { .. } => return None,
+            Rule::Elastic { .. } | Rule::Stop { .. } | Rule::Spring { .. } => return None,
         };
         let acceleration = dot(&part.response, force) - dot(&part.moves, z);
         let scale = size_of_dot(&part.response, size) + size_of_dot(&part.moves, z);

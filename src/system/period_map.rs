@@ -260,7 +260,9 @@ impl<'a, F: Float> PeriodMap<'a, F> {
                     Mode::Yields { forward } => sign::<F>(*forward) * dot(bound, &column),
                     Mode::Apart => F::int(0),
                     Mode::Stuck | Mode::Slides { .. } | Mode::Holds => continue,
-                    Mode::Away | Mode::Pressed | Mode::Lifted | Mode::Resting => continue,
+                    Mode::Away | Mode::Pressed | Mode::Lifted | Mode::Resting | Mode::Bends { .. } => {
+                        continue;
+                    }
                 };
                 if let Some(place) = column.get_mut(*place) {
                     *place = force;

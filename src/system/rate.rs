@@ -1,7 +1,7 @@
 //! The greatest rate at which a system changes, which bounds the steps of its motions.
 
 use super::System;
-use super::assembly::Rule;
+use super::assembly::{Piece, Rule};
 use super::equation::{Equation, Mode, fastest};
 use super::follow::most_steps;
 use crate::float::Float;
@@ -15,34 +15,37 @@ impl<F: Float> System<F> {
         most_steps(&self.assembly)
     }
 
-    /// The number of steps of a motion in a unit of time, without events: the greatest over sliding in each piece of the
-    /// laws and over rest, with elastic contacts that hold and stops in touch, of the spectral radius of |A|, and at most 1 % above it. Frequencies of
+    /// The number of steps of a motion in a unit of time, without events: the greatest over sliding in the steepest pieces of all
+    /// laws, rising or falling, and over rest, with elastic contacts that hold and stops in touch, of the spectral radius of |A|, and at most 1 % above it. Frequencies of
     /// springs, rates of dampers and of steep laws, and frequencies of the loads are below it.
     ///
     /// Infinite or NaN where the numbers of the system overflow.
     #[must_use]
     pub fn steps_per_time(&self) -> F {
         let system = &self.assembly;
-        let count = system.parts.iter().map(|part| match &part.rule {
-            Rule::Contact { pieces, .. } => pieces.len(),
-            Rule::Elastic { .. } | Rule::Stop { .. } | Rule::Hard { .. } => 1,
-        });
-        // Each piece of the laws, and rest.
-        let branches = (0..count.fold(1, usize::max)).map(Some).chain([None]);
-        let rate = |piece: Option<usize>| {
-            let mode = |rule: &Rule<F>| match (rule, piece) {
-                (Rule::Contact { pieces, .. }, Some(piece)) => {
-                    Mode::Slides { forward: true, piece: piece.min(pieces.len().saturating_sub(1)) }
+        // The entries of |A| are greatest where a slope is greatest or least.
+        let place = |pieces: &[Piece<F>], rises: bool| {
+            let better =
+                |a: &Piece<F>, b: &Piece<F>| if rises { a.slope > b.slope } else { a.slope < b.slope };
+            let best = pieces.iter().enumerate().reduce(|a, b| if better(b.1, a.1) { b } else { a });
+            best.map_or(0, |(place, _)| place)
+        };
+        let branches = [(true, true), (false, true), (true, false), (false, false)];
+        let rate = |(slides, rises): (bool, bool)| {
+            let mode = |rule: &Rule<F>| match rule {
+                Rule::Contact { pieces, .. } if slides => {
+                    Mode::Slides { forward: true, piece: place(pieces, rises) }
                 }
-                (Rule::Contact { .. }, None) => Mode::Stuck,
-                (Rule::Elastic { .. }, _) => Mode::Holds,
-                (Rule::Stop { .. }, _) => Mode::Pressed,
-                (Rule::Hard { .. }, _) => Mode::Away,
+                Rule::Contact { .. } => Mode::Stuck,
+                Rule::Elastic { .. } => Mode::Holds,
+                Rule::Stop { .. } => Mode::Pressed,
+                Rule::Hard { .. } => Mode::Away,
+                Rule::Spring { pieces } => Mode::Bends { piece: place(pieces, rises) },
             };
             let modes: Vec<Mode> = system.parts.iter().map(|part| mode(&part.rule)).collect();
             fastest(system, &Equation::new(system, &modes).a)
         };
-        branches.map(rate).fold(F::int(0), |most, rate| if rate <= most { most } else { rate })
+        branches.map(rate).into_iter().fold(F::int(0), |most, rate| if rate <= most { most } else { rate })
     }
 }
 

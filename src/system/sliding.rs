@@ -75,9 +75,10 @@ impl<F: Float> Part<F> {
 }
 
 impl<F: Float> Assembly<F> {
-    /// K with the friction of the contacts that slide on travelling sides, with `factor` times their coefficients, but for those held.
-    pub(super) fn sliding_stiffness(&self, factor: F, held: &[usize]) -> Matrix<F> {
-        let mut stiffness = self.stiffness.clone();
+    /// K at a displacement with the friction of the contacts that slide on travelling sides, with `factor` times their coefficients, but for
+    /// those held.
+    pub(super) fn sliding_stiffness(&self, q: &[F], factor: F, held: &[usize]) -> Matrix<F> {
+        let mut stiffness = self.tangent_stiffness(q);
         for (_, part) in self.parts.iter().enumerate().filter(|(i, _)| !held.contains(i)) {
             let (Some((sign, force, _)), Some(by)) = (part.sliding(), part.normal_by_displacement(self.n))
             else {
@@ -109,7 +110,8 @@ impl<F: Float> Assembly<F> {
     /// between two of it.
     fn growth(&self, root: &Matrix<F>, damping: &Matrix<F>, factor: F) -> Option<Growth> {
         let n = self.n;
-        let stiffness = root.times(&self.sliding_stiffness(factor, &[])).times(root);
+        let at = self.sliding_equilibrium(factor);
+        let stiffness = root.times(&self.sliding_stiffness(&at, factor, &[])).times(root);
         let most =
             |matrix: &Matrix<F>| matrix.rows().flatten().fold(F::int(0), |most, x| most.or_larger(x.abs()));
         // Times in units of the fastest motion, so that the entries are of one size.

@@ -76,6 +76,12 @@ pub(crate) fn broken<F: Float>(
             let edge = if (y - *gap).abs() < doubt { *damping * v.abs() } else { zero };
             (force - pressed).abs() > doubt + edge
         }
+        Kind::Spring { points } => {
+            let last = points.len() - 2;
+            let place = (0..last).find(|&i| y < points[i + 1].0).unwrap_or(last);
+            let ((a, f), (b, g)) = (points[place], points[place + 1]);
+            (force - (f + (g - f) * (y - a) / (b - a))).abs() > doubt
+        }
         Kind::HardStop { gap, .. } => {
             // It pushes where it is touched, and nothing is beyond it.
             let is_away = y < *gap - doubt;

@@ -54,6 +54,9 @@ fn element<F: Float>(element: &Element<f64>) -> Element<F> {
         Kind::Stop { gap, stiffness, damping } => {
             Kind::Stop { gap: of(*gap), stiffness: of(*stiffness), damping: of(*damping) }
         }
+        Kind::Spring { points } => {
+            Kind::Spring { points: points.iter().map(|&(y, force)| (of(y), of(force))).collect() }
+        }
         Kind::HardStop { gap, restitution } => {
             Kind::HardStop { gap: of(*gap), restitution: of(*restitution) }
         }

@@ -225,7 +225,7 @@ function showSystem(found) {
     return { x: samples.time[i], text: `${four(samples.time[i])} s: ${sized.map((list) => four(list[i])).join(", ")} ${to.unit}` };
   };
   // The contact's displacement is that of its second end over its first.
-  const contact = motion.elements.findIndex((element) => element.kind !== "stop");
+  const contact = motion.elements.findIndex((element) => !["stop", "spring"].includes(element.kind));
   $("two-force").hidden = contact < 0;
   if (contact >= 0) {
     const ends = two.contact.split(",").map((name) => motion.coordinates.indexOf(name));

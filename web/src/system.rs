@@ -7,7 +7,8 @@ use stickslip_front::curve::SETTLED;
 use stickslip_front::inputs::units::Kind;
 use stickslip_front::limits::MOST_ADDED;
 use stickslip_front::system::{
-    Answer, Description, NamedSystem, OfBorder, Samples, border_verdict, parsed, steady_verdict,
+    Answer, Described, Description, Digits, NamedSystem, OfBorder, Samples, border_verdict, digits_sentence,
+    parsed, steady_verdict,
 };
 
 /// The most samples of a motion, and the most places of a curve.
@@ -24,11 +25,18 @@ fn as_json(value: &impl serde::Serialize) -> Result<Value, String> {
     serde_json::to_value(value).map_err(|e| e.to_string())
 }
 
+/// A verdict with what is known of the digits.
+fn with_digits(verdict: String, described: &Described, digits: Option<&Digits>) -> String {
+    match digits {
+        Some(digits) => format!("{verdict} {}", digits_sentence(digits, described.units.as_ref())),
+        None => verdict,
+    }
+}
+
 /// Why a system has no least load without sticking.
 fn no_border(system: &NamedSystem, error: &stickslip::system::Error) -> String {
     let model = &system.described.model;
-    let is_stop = |element| stickslip_front::system::kind_of(element) == "stop";
-    if model.elements.iter().all(is_stop) {
+    if !model.elements.iter().any(stickslip_front::system::is_contact) {
         "There is no contact with friction, and nothing sticks.".to_owned()
     } else if model.harmonics.iter().all(|load| load.cos.iter().chain(&load.sin).all(|&x| x == 0.0)) {
         "There is no load, and no multiple of it keeps the contact from sticking.".to_owned()
@@ -44,29 +52,28 @@ pub(crate) fn system(asked: &Asked<'_>) -> Result<Value, String> {
     let (engine, described) = (&system.system, &system.described);
     let count = asked.count("count", 400, MOST).max(1);
     let times = |until: f64| -> Vec<f64> { (0..=count).map(|i| until * (i as f64 / count as f64)).collect() };
-    let failed = |e: stickslip::system::Error| e.to_string();
+    let failed = |e: stickslip_front::system::Why| e.to_string();
     let mut found = Map::new();
     let mut add = |name: &str, value: Value| found.insert(name.to_owned(), value);
     add("description", as_json(&Description::new(&system))?);
     let samples = |start: &stickslip::system::State<f64>, until: f64| -> Result<Value, String> {
         let times = times(until);
-        let states = engine.states(start, &times).map_err(failed)?;
+        let states = system.states(start, &times).map_err(failed)?;
         as_json(&Samples::new(described, &times, &states))
     };
     if let Some(text) = asked.text("until") {
         let until: f64 = system.reader().value("until", text, Kind::Time)?;
         system.check_until(until, &format!("until {text}"))?;
-        let motion = engine.simulate(&described.start, until).map_err(failed)?;
-        add(
-            "verdict",
-            json!(format!("The motion from the start to {} s.", stickslip_front::words::digits(until))),
-        );
-        add("motion", as_json(&Answer::transient(described, &motion))?);
+        let (motion, digits) = system.simulate(&described.start, until).map_err(failed)?;
+        let verdict = format!("The motion from the start to {} s.", stickslip_front::words::digits(until));
+        add("verdict", json!(with_digits(verdict, described, digits.as_ref())));
+        add("motion", as_json(&Answer::transient(described, &motion).with_digits(digits.as_ref()))?);
         add("samples", samples(&described.start, until)?);
     } else {
-        let steady = engine.steady(&described.start).map_err(failed)?;
-        add("verdict", json!(steady_verdict(described, &steady)));
-        add("motion", as_json(&Answer::steady(described, &steady))?);
+        let (steady, digits) = system.steady(&described.start).map_err(failed)?;
+        let verdict = steady_verdict(described, &steady);
+        add("verdict", json!(with_digits(verdict, described, digits.as_ref())));
+        add("motion", as_json(&Answer::steady(described, &steady).with_digits(digits.as_ref()))?);
         add(
             "samples",
             if steady.period > 0.0 { samples(&steady.start, steady.period)? } else { Value::Null },
@@ -74,7 +81,7 @@ pub(crate) fn system(asked: &Asked<'_>) -> Result<Value, String> {
     }
     match engine.border() {
         Ok(border) => {
-            let cycle = engine.cycle().map_err(failed)?.filter(|cycle| cycle.margin >= 1.0);
+            let cycle = engine.cycle().map_err(|e| e.to_string())?.filter(|cycle| cycle.margin >= 1.0);
             add("border", as_json(&OfBorder::new(&border, cycle.as_ref()))?);
             add("border_verdict", json!(border_verdict(described, &border)));
         }
@@ -103,7 +110,7 @@ impl Place {
 
     fn of(system: &NamedSystem, frequency: f64) -> Result<Self, String> {
         let at = system.clone().at_frequency(frequency * std::f64::consts::TAU)?;
-        let Ok(steady) = at.system.steady(&at.described.start) else {
+        let Ok((steady, _)) = at.steady(&at.described.start) else {
             return Ok(Self::none(frequency));
         };
         let (most, least) = (&steady.motion.max_displacement, &steady.motion.min_displacement);

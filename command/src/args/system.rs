@@ -97,6 +97,10 @@ pub(crate) struct SystemArgs {
     /// bearing.friction=100N:1kN:20. May be given several times
     #[arg(long, value_name = "PATH=VALUE")]
     pub(crate) set: Vec<String>,
+    /// Force within which the tables of all laws that are curves are, such as "1 mN" [default: 2·10⁻⁴ of each law's own size, or its
+    /// tolerance in the file]
+    #[arg(long, value_name = "FORCE", allow_hyphen_values = true)]
+    pub(crate) law_tolerance: Option<String>,
     /// Output file of rows: .csv, .jsonl or .parquet [default: standard output]
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,

@@ -59,7 +59,7 @@ pub(super) fn motion(
     // The corners of forces lie at events.
     times.extend(motion.events.iter().take(SAMPLES).map(|event| event.time.clamp(0.0, motion.duration)));
     times.sort_by(f64::total_cmp);
-    let states = of.system.states(start, &times)?;
+    let states = of.states(start, &times)?;
     let mut panels = Vec::new();
     let when = Axis::linear(time(described), 0.0, motion.duration);
     let length = label(described, "displacement", Of::Length);

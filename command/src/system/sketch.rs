@@ -77,14 +77,15 @@ fn links(described: &Described) -> Vec<Link> {
     let model = &described.model;
     of_matrix(described, &model.stiffness, Symbol::Spring, Of::Stiffness, &mut links);
     of_matrix(described, &model.damping, Symbol::Damper, Of::Damping, &mut links);
-    for element in &model.elements {
+    for (place, element) in model.elements.iter().enumerate() {
+        let law = |points: usize| described.curve(place).unwrap_or_else(|| format!("law of {points} points"));
         let force = |x: f64| quantity(described, x, Of::Force);
         let (symbol, what) = match &element.kind {
             Kind::Contact { law: Law { points }, normal, .. } => {
                 let what = match (points.as_slice(), normal) {
                     ([(_, one)], None) => force(*one),
                     ([(_, one)], Some(_)) => format!("µ = {}", digits(*one)),
-                    (several, _) => format!("law of {} points", several.len()),
+                    (several, _) => law(several.len()),
                 };
                 (Symbol::Contact, what)
             }
@@ -96,6 +97,7 @@ fn links(described: &Described) -> Vec<Link> {
             Kind::Stop { gap, .. } | Kind::HardStop { gap, .. } => {
                 (Symbol::Stop, format!("gap {}", quantity(described, *gap, Of::Length)))
             }
+            Kind::Spring { points } => (Symbol::Spring, law(points.len())),
         };
         links.push(Link { ends: ends(element), symbol, text: format!("{}: {what}", element.name) });
     }

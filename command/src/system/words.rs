@@ -9,8 +9,8 @@ use std::io::Write;
 use stickslip::system::{Beyond, Border, Cycle, Element, Kind, Law, Motion, MovedBy, Steady, SteadyKind};
 use stickslip_front::inputs::units::{Kind as Of, System as Units};
 use stickslip_front::system::{
-    Described, Description, NamedSystem, border_verdict, frequency_of, is_hard, kind_of, plural,
-    sliding_verdict, steady_verdict, with_unit,
+    Described, Description, Digits, NamedSystem, border_verdict, digits_sentence, frequency_of, is_contact,
+    is_hard, kind_of, plural, sliding_verdict, steady_verdict, with_unit,
 };
 
 /// A natural frequency, or the growth of a direction whose stiffness is negative.
@@ -40,6 +40,7 @@ pub(super) fn describe(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Wr
         ("contact", "contact", "contacts"),
         ("elastic", "elastic contact", "elastic contacts"),
         ("stop", "stop", "stops"),
+        ("spring", "spring with a law", "springs with laws"),
     ] {
         if count(kind) > 0 {
             parts.push(plural(count(kind), one, several));
@@ -57,8 +58,8 @@ pub(super) fn describe(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Wr
         };
         line(out, name, text)?;
     }
-    for element in elements {
-        line(out, &element.name, of_element(element, described, units))?;
+    for (place, element) in elements.iter().enumerate() {
+        line(out, &element.name, of_element(element, place, described, units))?;
     }
     for (name, &force) in described.coordinates.iter().zip(&described.model.constant) {
         if force != 0.0 {
@@ -94,10 +95,10 @@ pub(super) fn describe(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Wr
         _ => frequencies.iter().map(|omega| own(units, *omega)).collect::<Vec<_>>().join(", "),
     };
     writeln!(out, "\nNatural frequencies, without dampers")?;
-    let has_contacts = elements.iter().any(|element| kind_of(element) != "stop");
+    let has_contacts = elements.iter().any(is_contact);
     line(out, if has_contacts { "all contacts sliding" } else { "free" }, list(free))?;
     if elements.len() > 1 {
-        for (i, element) in elements.iter().enumerate().filter(|(_, e)| kind_of(e) != "stop") {
+        for (i, element) in elements.iter().enumerate().filter(|(_, e)| is_contact(e)) {
             line(out, &format!("{} at rest", element.name), list(&system.natural_frequencies(&[i])))?;
         }
     }
@@ -127,12 +128,17 @@ pub(super) fn describe(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Wr
     Ok(())
 }
 
+/// A law in words: a curve as it is written, or the points of a table.
+fn law_of(described: &Described, element: usize, points: usize) -> String {
+    described.curve(element).unwrap_or_else(|| format!("a law of {points} points"))
+}
+
 fn capital(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
-fn of_element(element: &Element<f64>, described: &Described, units: Option<&Units>) -> String {
+fn of_element(element: &Element<f64>, place: usize, described: &Described, units: Option<&Units>) -> String {
     let ends = |sign: f64| {
         let place = element.direction.iter().position(|b| *b == sign);
         place.and_then(|i| described.coordinates.get(i)).map_or("ground", String::as_str)
@@ -148,7 +154,7 @@ fn of_element(element: &Element<f64>, described: &Described, units: Option<&Unit
             let friction = match points.as_slice() {
                 [(_, one)] if normal.is_none() => force(*one),
                 [(_, one)] => format!("a coefficient of {}", digits(*one)),
-                several => format!("a law of {} points", several.len()),
+                several => law_of(described, place, several.len()),
             };
             let peak =
                 if *peak > 1.0 { format!(", static {} times that", digits(*peak)) } else { String::new() };
@@ -166,6 +172,7 @@ fn of_element(element: &Element<f64>, described: &Described, units: Option<&Unit
             with_unit(*gap, units, Of::Length),
             with_unit(*stiffness, units, Of::Stiffness)
         ),
+        Kind::Spring { points } => format!("spring{between}, {}", law_of(described, place, points.len())),
         Kind::HardStop { gap, restitution } => format!(
             "stop{between} beyond {}, restitution {}",
             with_unit(*gap, units, Of::Length),
@@ -174,9 +181,24 @@ fn of_element(element: &Element<f64>, described: &Described, units: Option<&Unit
     }
 }
 
+/// What is known of the digits of an answer, where laws are curves.
+pub(super) fn digits_known(described: &Described, digits: Option<&Digits>, out: &mut impl Write) -> Outcome {
+    if let Some(digits) = digits {
+        writeln!(out, "{}", digits_sentence(digits, described.units.as_ref()))?;
+    }
+    Ok(())
+}
+
 /// The verdict on a steady motion.
-pub(super) fn steady(described: &Described, found: &Steady<f64>, out: &mut impl Write) -> Outcome {
-    writeln!(out, "{}\n", steady_verdict(described, found))?;
+pub(super) fn steady(
+    described: &Described,
+    found: &Steady<f64>,
+    known: Option<&Digits>,
+    out: &mut impl Write,
+) -> Outcome {
+    writeln!(out, "{}", steady_verdict(described, found))?;
+    digits_known(described, known, out)?;
+    writeln!(out)?;
     if found.kind == SteadyKind::Periodic && !found.multipliers.is_empty() {
         let largest = found.multipliers.iter().map(|(re, im)| re.hypot(*im)).fold(0.0, f64::max);
         line(out, "a disturbance", format!("is multiplied by at most {} in this time", digits(largest)))?;
@@ -245,16 +267,16 @@ pub(super) fn motion(described: &Described, motion: &Motion<f64>, out: &mut impl
     for (element, found) in described.model.elements.iter().zip(&motion.elements) {
         writeln!(out, "{} ({})", element.name, kind_of(element))?;
         let rest = match element.kind {
-            Kind::Stop { .. } | Kind::HardStop { .. } => "open",
-            Kind::Elastic { .. } => "holds",
-            _ => "sticks",
+            Kind::Stop { .. } | Kind::HardStop { .. } => Some("open"),
+            Kind::Elastic { .. } => Some("holds"),
+            Kind::Contact { .. } => Some("sticks"),
+            Kind::Spring { .. } => None,
         };
         let seconds = if described.units.is_some() { " s" } else { "" };
-        line(
-            out,
-            rest,
-            format!("{}{seconds}, {}", digits(found.time_at_rest), plural(found.stops, "time", "times")),
-        )?;
+        if let Some(rest) = rest {
+            let times = plural(found.stops, "time", "times");
+            line(out, rest, format!("{}{seconds}, {times}", digits(found.time_at_rest)))?;
+        }
         if is_hard(element) {
             line(out, "blows", digits(found.blows as f64))?;
         }

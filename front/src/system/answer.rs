@@ -1,6 +1,7 @@
 //! The answers about a system, as JSON has them.
 
 use super::described::Described;
+use super::tabled::Digits;
 use crate::inputs::units::{Kind as Of, System};
 use serde::Serialize;
 use stickslip::system::{Border, Cycle, Element, Kind, Motion, State, Steady};
@@ -86,6 +87,9 @@ pub struct Answer<'a> {
     periods: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
     periods_followed: Option<usize>,
+    /// Where laws are curves.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    laws: Option<&'a Digits>,
     #[serde(skip_serializing_if = "Option::is_none")]
     units: Option<Units>,
 }
@@ -132,7 +136,14 @@ pub const fn kind_of(element: &Element<f64>) -> &'static str {
         Kind::Contact { .. } => "contact",
         Kind::Elastic { .. } => "elastic",
         Kind::Stop { .. } | Kind::HardStop { .. } => "stop",
+        Kind::Spring { .. } => "spring",
     }
+}
+
+/// Whether an element is a contact, rigid or elastic: it may be at rest.
+#[must_use]
+pub const fn is_contact(element: &Element<f64>) -> bool {
+    matches!(element.kind, Kind::Contact { .. } | Kind::Elastic { .. })
 }
 
 /// Whether an element is a stop with a restitution.
@@ -142,6 +153,12 @@ pub const fn is_hard(element: &Element<f64>) -> bool {
 }
 
 impl<'a> Answer<'a> {
+    /// This answer with what is known of its digits.
+    #[must_use]
+    pub fn with_digits(self, laws: Option<&'a Digits>) -> Self {
+        Self { laws, ..self }
+    }
+
     fn of(described: &'a Described, motion: &'a Motion<f64>, start: &'a State<f64>, kind: &'a str) -> Self {
         let elements = described.model.elements.iter().zip(&motion.elements);
         let units = Units::of(described)
@@ -190,6 +207,7 @@ impl<'a> Answer<'a> {
             decay: None,
             periods: None,
             periods_followed: None,
+            laws: None,
             units,
         }
     }

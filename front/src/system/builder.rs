@@ -1,5 +1,6 @@
 //! What is known of a file of named bodies while it is read.
 
+use super::laws::Law;
 use std::path::Path;
 use stickslip::system::{Base, Model};
 
@@ -11,4 +12,6 @@ pub(super) struct Builder<'p> {
     pub(super) model: Model<f64>,
     pub(super) folder: &'p Path,
     pub(super) base: Option<Base<f64>>,
+    /// The laws that are curves.
+    pub(super) laws: Vec<Law>,
 }

@@ -2,10 +2,12 @@
 
 use super::described::{Described, base_of, shake};
 use super::node::nearest;
+use super::tabled::set_points;
 use super::{file, named};
 use crate::inputs::units::{Kind, Reader, System as Units};
 use serde_json::Value;
 use std::f64::consts::TAU;
+use std::ops::ControlFlow;
 use std::path::Path;
 use stickslip::Excitation;
 use stickslip::motion::record::{After, Record};
@@ -22,8 +24,9 @@ const STEPS_TO_PASSAGE: u64 = 100_000;
 pub struct NamedSystem {
     /// The description.
     pub described: Described,
-    /// Its motions.
+    /// Its motions, with laws that are curves as tables: [`NamedSystem::simulate`] and its like refine them.
     pub system: System<f64>,
+    pub(super) keep_going: fn() -> ControlFlow<()>,
 }
 
 impl NamedSystem {
@@ -64,16 +67,55 @@ impl NamedSystem {
         named::set(value, path.trim(), new.trim())
     }
 
+    /// Sets the force within which the tables of all laws that are curves are.
+    ///
+    /// # Errors
+    /// Where there is no such law.
+    pub fn set_tolerance(value: &mut Value, force: &str) -> Result<(), String> {
+        let curves = ["contacts", "springs", "elements"].into_iter().flat_map(|list| {
+            let count = value.get(list).and_then(Value::as_array).map_or(0, Vec::len);
+            (0..count).map(move |place| format!("/{list}/{place}/law"))
+        });
+        let curves: Vec<_> =
+            curves.filter(|path| value.pointer(path).is_some_and(Value::is_object)).collect();
+        if curves.is_empty() {
+            return Err("must be left out: no law of the file is a curve".to_owned());
+        }
+        let typed = named::typed(force.trim());
+        for path in curves {
+            if let Some(law) = value.pointer_mut(&path).and_then(Value::as_object_mut) {
+                law.insert("tolerance".to_owned(), typed.clone());
+            }
+        }
+        Ok(())
+    }
+
     /// A described system, if it has motions.
-    fn of(described: Described) -> Result<Self, String> {
-        let on_base = |system: System<f64>| match &described.base {
-            Some(base) => system.with_base(base),
-            None => Ok(system),
-        };
-        match System::new(&described.model).and_then(on_base) {
-            Ok(system) => Ok(Self { described, system }),
+    fn of(mut described: Described) -> Result<Self, String> {
+        let Described { laws, model, start, .. } = &mut described;
+        for law in laws {
+            law.begin(model, start);
+            if let Some(element) = model.elements.get_mut(law.element) {
+                let points = law.of_slopes(element)?;
+                set_points(&mut element.kind, points);
+            }
+        }
+        match described.moving(&described.model) {
+            Ok(system) => Ok(Self { described, system, keep_going: || ControlFlow::Continue(()) }),
             Err(error) => Err(with_names(&described, &error)),
         }
+    }
+
+    /// This system, whose motions are followed as long as `keep_going` returns [`ControlFlow::Continue`].
+    #[must_use]
+    pub fn while_allowed(self, keep_going: fn() -> ControlFlow<()>) -> Self {
+        Self { system: self.system.while_allowed(keep_going), keep_going, ..self }
+    }
+
+    /// Whether a law is a curve.
+    #[must_use]
+    pub fn has_curves(&self) -> bool {
+        !self.described.laws.is_empty()
     }
 
     /// With a record of the base's acceleration beside the loads of the file.
@@ -157,11 +199,11 @@ impl NamedSystem {
         let level = self.described.model.levels.len();
         let mut described = self.described.clone();
         described.model.levels.push(Level { name: name.to_owned(), displacement, velocity, value });
-        *self = Self::of(described)?;
+        *self = Self::of(described)?.while_allowed(self.keep_going);
         let steps = self.system.most_steps().min(STEPS_TO_PASSAGE) as f64;
         let rate = self.system.steps_per_time();
         let latest = if rate > 0.0 { steps / rate } else { steps * self.end_of_records().max(1.0) };
-        let found = self.system.first_passage(&self.described.start, level, latest);
+        let found = self.first_passage(level, latest);
         found.map_err(|e| e.to_string())?.ok_or_else(|| {
             let unit = if self.described.units.is_some() { " s" } else { "" };
             let latest = crate::words::digits(latest);

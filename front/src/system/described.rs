@@ -1,8 +1,9 @@
 //! A system as its file describes it, and the parts that bodies by name and matrices share.
 
+use super::laws::Law as Curved;
 use super::node::{Fields, Node};
 use crate::inputs::units::System as Units;
-use stickslip::system::{Base, Law, Model, Signal, State};
+use stickslip::system::{Base, Error, Law, Model, Signal, State, System};
 
 /// The greatest number of coordinates: the matrices are dense.
 pub(super) const MOST_COORDINATES: usize = 200;
@@ -34,6 +35,8 @@ pub struct Described {
     pub(super) inertia: Vec<f64>,
     /// The motion of the base, if it moves.
     pub base: Option<Base<f64>>,
+    /// The laws that are curves.
+    pub(super) laws: Vec<Curved>,
 }
 
 impl Described {
@@ -44,6 +47,21 @@ impl Described {
         let names =
             elements.iter().map(|element| &element.name).chain(levels.iter().map(|level| &level.name));
         names.map(String::as_str).nth(element).unwrap_or("")
+    }
+
+    /// The law of an element in words, where it is a curve.
+    #[must_use]
+    pub fn curve(&self, element: usize) -> Option<String> {
+        self.laws.iter().find(|law| law.element == element).map(Curved::words)
+    }
+
+    /// The motions of this model on this base.
+    pub(super) fn moving(&self, model: &Model<f64>) -> Result<System<f64>, Error> {
+        let system = System::new(model)?;
+        match &self.base {
+            Some(base) => system.with_base(base),
+            None => Ok(system),
+        }
     }
 
     /// This system, where its loads have room in memory.
@@ -112,9 +130,17 @@ pub(super) fn law(
     node: &Node<'_>,
     of: impl Fn(&Node<'_>, usize) -> Result<f64, String>,
 ) -> Result<Law<f64>, String> {
+    Ok(Law { points: pairs(node, of)? })
+}
+
+/// Pairs of a speed or a displacement, and a force.
+pub(super) fn pairs(
+    node: &Node<'_>,
+    of: impl Fn(&Node<'_>, usize) -> Result<f64, String>,
+) -> Result<Vec<(f64, f64)>, String> {
     let pair = |node: &Node<'_>| match node.list()?.as_slice() {
-        [speed, force] => Ok((of(speed, 0)?, of(force, 1)?)),
-        _ => Err(node.wrong("must be a pair of a speed and a force")),
+        [first, force] => Ok((of(first, 0)?, of(force, 1)?)),
+        _ => Err(node.wrong("must be a pair of a speed, of a spring a displacement, and a force")),
     };
-    Ok(Law { points: node.list()?.iter().map(pair).collect::<Result<_, String>>()? })
+    node.list()?.iter().map(pair).collect()
 }

@@ -36,7 +36,7 @@ pub struct Description<'a> {
 pub struct OfElement<'a> {
     /// Its name.
     pub name: &'a str,
-    /// contact, elastic or stop.
+    /// contact, elastic, stop or spring.
     pub kind: &'static str,
     /// With this element alone at rest.
     pub natural_frequencies_stuck: Vec<f64>,

@@ -1,10 +1,12 @@
 //! The file of a system: bodies by name with their springs, contacts and loads, or matrices.
 
 use super::described::{
-    Described, MOST_COORDINATES, MOST_ELEMENTS, MOST_FREQUENCIES, MOST_SAMPLES, law, peak, restitution,
+    Described, MOST_COORDINATES, MOST_ELEMENTS, MOST_FREQUENCIES, MOST_SAMPLES, law, pairs, peak, restitution,
 };
+use super::laws::{BESIDE_CURVE, Law as Curved};
 use super::named;
 use super::node::{Fields, Node, nearest};
+use super::spring;
 use super::unique::Unique;
 use crate::inputs::units::{Kind as Of, Reader, System as Units};
 use crate::text::of_bytes;
@@ -173,8 +175,9 @@ fn by_matrices(fields: &Fields<'_>, units: Option<Units>) -> Result<Described, S
     if elements.len() > MOST_ELEMENTS {
         return Err(format!("elements: {} of them, must be ≤ {MOST_ELEMENTS}", elements.len()));
     }
+    let mut laws = Vec::new();
     for (i, node) in elements.iter().enumerate() {
-        model.elements.push(element(node, i, n)?);
+        model.elements.push(element(node, i, n, &mut laws)?);
     }
     let mut start = State::rest(n);
     if let Some(node) = fields.get("start") {
@@ -193,7 +196,7 @@ fn by_matrices(fields: &Fields<'_>, units: Option<Units>) -> Result<Described, S
     fields.end()?;
     let inertia = model.mass.iter().map(|row| -row.iter().sum::<f64>()).collect();
     let coordinates = (1..=n).map(|i| format!("q{i}")).collect();
-    Described { model, coordinates, units, start, inertia, base: None }.checked()
+    Described { model, coordinates, units, start, inertia, base: None, laws }.checked()
 }
 
 /// `{"const", "sin", "cos"}`: a constant and the parts at each frequency.
@@ -222,7 +225,7 @@ fn normal(fields: &Fields<'_>, n: usize) -> Result<Option<Normal<f64>>, String> 
     Ok(Some(Normal { signal: signal(&node)?, displacement, velocity }))
 }
 
-fn element(node: &Node<'_>, i: usize, n: usize) -> Result<Element<f64>, String> {
+fn element(node: &Node<'_>, i: usize, n: usize, laws: &mut Vec<Curved>) -> Result<Element<f64>, String> {
     let fields = node.fields()?;
     let number = |name: &'static str| fields.required(name).and_then(|node| node.number());
     let mut direction = fields.required("direction")?.vector(n)?;
@@ -231,6 +234,13 @@ fn element(node: &Node<'_>, i: usize, n: usize) -> Result<Element<f64>, String> 
         "contact" => {
             let law = match (fields.get("law"), fields.get("friction")) {
                 (Some(_), Some(node)) => return Err(node.wrong("must be left out beside a law")),
+                (Some(node), None) if node.value().is_object() => {
+                    if let Some(node) = fields.get("peak").or_else(|| fields.get("static_ratio")) {
+                        return Err(node.wrong(BESIDE_CURVE));
+                    }
+                    laws.push(Curved::friction(&node, i, |node, _| node.number())?);
+                    Law { points: Vec::new() }
+                }
                 (Some(node), None) => law(&node, |node, _| node.number())?,
                 (None, _) => Law::constant(number("friction")?),
             };
@@ -255,8 +265,19 @@ fn element(node: &Node<'_>, i: usize, n: usize) -> Result<Element<f64>, String> 
                 }
             }
         }
+        "spring" => {
+            let law = fields.required("law")?;
+            let points = if law.value().is_object() {
+                let odd = spring::odd(&fields)?.unwrap_or(false);
+                laws.push(Curved::spring(&law, i, odd, |node, _| node.number())?);
+                Vec::new()
+            } else {
+                spring::points(&law, &fields, pairs(&law, |node, _| node.number())?)?
+            };
+            Kind::Spring { points }
+        }
         other => {
-            let kinds = ["contact", "elastic", "stop"];
+            let kinds = ["contact", "elastic", "stop", "spring"];
             return Err(kind.wrong(&format!("is unknown. {}", nearest(other, kinds.into_iter()))));
         }
     };

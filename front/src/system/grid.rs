@@ -1,8 +1,9 @@
 //! Answers over a grid of values of the file, of its loads' frequency and of records, a row each.
 
-use super::answer::is_hard;
+use super::answer::{is_hard, kind_of};
 use super::built::NamedSystem;
 use super::described::Described;
+use super::tabled::Why;
 use crate::grid::Range;
 use crate::inputs::units::{Kind as Of, Reader, System as Units, split};
 use serde_json::Value;
@@ -406,19 +407,19 @@ impl<'a> Grid<'a> {
         self.answer_of(self.system(&self.place(row), Some(last))?)
     }
 
-    fn answer_of(&self, mut of: NamedSystem) -> Result<Vec<Cell<'static>>, String> {
-        of.system = of.system.while_allowed(self.keep_going);
-        let (described, system) = (&of.described, &of.system);
-        let because = |e: stickslip::system::Error| e.to_string();
+    fn answer_of(&self, of: NamedSystem) -> Result<Vec<Cell<'static>>, String> {
+        let of = of.while_allowed(self.keep_going);
+        let described = &of.described;
+        let because = |e: Why| e.to_string();
         let number = |x: f64| Cell::Number(Some(x));
         Ok(match self.asked {
             Asked::Border => {
-                let found = system.border().map_err(because)?;
+                let found = of.system.border().map_err(|e| e.to_string())?;
                 let release = Cell::Number(found.least_load_factor_from_rest);
                 vec![number(found.least_load_factor), number(found.touching_time), release]
             }
             Asked::Steady => {
-                let found = system.steady(&described.start).map_err(because)?;
+                let (found, _) = of.steady(&described.start).map_err(because)?;
                 let periods = Cell::Count(Some(found.periods as u64));
                 let mut cells = vec![Cell::Text(found.kind.name()), periods];
                 cells.extend(of_motion(&described.model.elements, &found.motion, Some(&found)));
@@ -427,7 +428,7 @@ impl<'a> Grid<'a> {
             Asked::Transient(until) => {
                 let until = until.unwrap_or_else(|| of.end_of_records());
                 of.check_until(until, &format!("until {until}"))?;
-                let found = system.simulate(&described.start, until).map_err(because)?;
+                let (found, _) = of.simulate(&described.start, until).map_err(because)?;
                 let mut cells = vec![number(found.duration)];
                 cells.extend(of_motion(&described.model.elements, &found, None));
                 cells
@@ -469,8 +470,10 @@ fn columns(described: &Described, asked: Asked) -> Vec<(String, Cell<'static>)> 
     }
     for element in &described.model.elements {
         let name = &element.name;
-        columns.push(number(format!("{name}.rest_fraction")));
-        columns.push((format!("{name}.stops"), Cell::Count(None)));
+        if kind_of(element) != "spring" {
+            columns.push(number(format!("{name}.rest_fraction")));
+            columns.push((format!("{name}.stops"), Cell::Count(None)));
+        }
         if is_hard(element) {
             columns.push((format!("{name}.blows"), Cell::Count(None)));
         }
@@ -504,8 +507,10 @@ fn of_motion(
         cells.extend(lists.into_iter().chain(end).map(|list| Cell::Number(list.get(i).copied())));
     }
     for (given, element) in elements.iter().zip(&motion.elements) {
-        cells.push(Cell::Number(Some(element.time_at_rest / motion.duration)));
-        cells.push(Cell::Count(Some(element.stops as u64)));
+        if kind_of(given) != "spring" {
+            cells.push(Cell::Number(Some(element.time_at_rest / motion.duration)));
+            cells.push(Cell::Count(Some(element.stops as u64)));
+        }
         if is_hard(given) {
             cells.push(Cell::Count(Some(element.blows as u64)));
         }

@@ -1,9 +1,11 @@
 //! Bodies by name, and springs, contacts, stops and loads between them and the ground.
 
 use super::builder::Builder;
-use super::described::{Described, MOST_COORDINATES, MOST_ELEMENTS, base_of, law, peak, restitution};
+use super::described::{Described, MOST_COORDINATES, MOST_ELEMENTS, base_of, law, pairs, peak, restitution};
+use super::laws::{BESIDE_CURVE, Law as Curved};
 use super::node::{Fields, Node, check_name, nearest};
 use super::signals::{NEEDS, add as plus};
+use super::spring;
 use crate::inputs::units::{Kind as Of, System as Units};
 use serde_json::Value;
 use std::path::Path;
@@ -43,6 +45,7 @@ pub(super) fn described(root: &Node<'_>, folder: &Path, units: Units) -> Result<
         taken: Vec::new(),
         folder,
         base: None,
+        laws: Vec::new(),
     };
     let mut start = State::rest(n);
     for (i, (name, node)) in bodies.iter().enumerate() {
@@ -100,11 +103,13 @@ pub(super) fn described(root: &Node<'_>, folder: &Path, units: Units) -> Result<
     fields.end()?;
     let count = builder.model.elements.len();
     if count > MOST_ELEMENTS {
-        return Err(format!("contacts and stops: {count} of them, must be ≤ {MOST_ELEMENTS}"));
+        return Err(format!(
+            "contacts, stops and springs with laws: {count} of them, must be ≤ {MOST_ELEMENTS}"
+        ));
     }
     let inertia = builder.inertia();
-    let Builder { model, names: coordinates, base, .. } = builder;
-    Described { model, coordinates, units: Some(units), start, inertia, base }.checked()
+    let Builder { model, names: coordinates, base, laws, .. } = builder;
+    Described { model, coordinates, units: Some(units), start, inertia, base, laws }.checked()
 }
 
 fn add(matrix: &mut [Vec<f64>], i: usize, j: usize, value: f64) {
@@ -183,7 +188,7 @@ impl Builder<'_> {
     }
 
     fn spring(&mut self, fields: &Fields<'_>) -> Result<(), String> {
-        let (_, mut ends) = self.direction(fields)?;
+        let (direction, mut ends) = self.direction(fields)?;
         let value = |name: &'static str, kind: Of, like: &str| {
             let Some(node) = fields.get(name) else { return Ok(0.0) };
             let value = node.quantity(kind)?;
@@ -196,8 +201,35 @@ impl Builder<'_> {
         };
         let stiffness = value("stiffness", Of::Stiffness, "as of a buckled strut")?;
         let damping = value("damping", Of::Damping, "which feeds the motion")?;
-        // For paths of other values, as that of a force.
-        self.take_name(fields)?;
+        if let Some(law) = fields.get("law") {
+            if let Some(node) = fields.get("moves") {
+                return Err(
+                    node.wrong("must be left out beside a law: name the end that moves among the masses")
+                );
+            }
+            if let Some(node) = fields.get("stiffness") {
+                return Err(node.wrong("must be left out beside a law, whose slope it is"));
+            }
+            let name = self.name(fields)?;
+            let points = if law.value().is_object() {
+                let place = self.model.elements.len();
+                let odd = spring::odd(fields)?.unwrap_or(false);
+                self.laws.push(Curved::spring(&law, place, odd, |node, kind| node.quantity(kind))?);
+                Vec::new()
+            } else {
+                let table = if law.value().is_string() {
+                    self.columns(&law, [Of::Length, Of::Force], None)?
+                } else {
+                    pairs(&law, |node, i| node.quantity(if i == 0 { Of::Length } else { Of::Force }))?
+                };
+                spring::points(&law, fields, table)?
+            };
+            let (moves, kind) = (Signal::constant(0.0), Kind::Spring { points });
+            self.model.elements.push(Element { name, direction, moves, kind });
+        } else {
+            // For paths of other values, as that of a force.
+            self.take_name(fields)?;
+        }
         if let Some(node) = fields.get("moves") {
             if ends[0].is_some() {
                 return Err(
@@ -242,7 +274,7 @@ impl Builder<'_> {
         }
         let kind = match elastic {
             Some(node) => match friction {
-                Friction { law: Law { points }, normal } if points.len() == 1 => Kind::Elastic {
+                Friction { law: Law { points }, normal, .. } if points.len() == 1 => Kind::Elastic {
                     stiffness: node.quantity(Of::Stiffness)?,
                     friction: points.first().map_or(0.0, |point| point.1),
                     normal,
@@ -253,7 +285,14 @@ impl Builder<'_> {
                     );
                 }
             },
-            None => Kind::Contact { law: friction.law, peak: peak(fields)?, normal: friction.normal },
+            None => {
+                let ratio = peak(fields)?;
+                let node = || fields.get("peak").or_else(|| fields.get("static_ratio"));
+                if let (Some(node), true) = (node(), friction.is_curve) {
+                    return Err(node.wrong(BESIDE_CURVE));
+                }
+                Kind::Contact { law: friction.law, peak: ratio, normal: friction.normal }
+            }
         };
         fields.end()?;
         self.model.elements.push(Element { name, direction, moves, kind });
@@ -282,16 +321,23 @@ impl Builder<'_> {
             let coefficient = node.not_negative(Of::Ratio)?;
             if load.value().is_object() || load.value().is_array() {
                 let normal = Some(self.normal(&load)?);
-                return Ok(Friction { law: Law::constant(coefficient), normal });
+                return Ok(Friction { law: Law::constant(coefficient), normal, is_curve: false });
             }
             let friction = coefficient * load.not_negative(Of::Force)?;
-            return Ok(Friction { law: Law::constant(friction), normal: None });
+            return Ok(Friction { law: Law::constant(friction), normal: None, is_curve: false });
         }
         if let Some(load) = load {
             return Err(load.wrong("must be left out without a coefficient"));
         }
+        let is_curve = table.as_ref().is_some_and(|node| node.value().is_object());
         let law = match (force, table) {
             (Some(node), _) => Law::constant(node.not_negative(Of::Force)?),
+            (None, Some(node)) if is_curve => {
+                self.laws.push(Curved::friction(&node, self.model.elements.len(), |node, kind| {
+                    node.quantity(kind)
+                })?);
+                Law { points: Vec::new() }
+            }
             (None, Some(node)) if node.value().is_string() => {
                 Law { points: self.columns(&node, [Of::Velocity, Of::Force], None)? }
             }
@@ -300,7 +346,7 @@ impl Builder<'_> {
             }
             (None, None) => Law::constant(0.0),
         };
-        Ok(Friction { law, normal: None })
+        Ok(Friction { law, normal: None, is_curve })
     }
 
     /// The normal load of a contact: its parts over time, an acceleration upwards, and a spring.
@@ -522,6 +568,8 @@ impl Builder<'_> {
 struct Friction {
     law: Law<f64>,
     normal: Option<Normal<f64>>,
+    /// Whether the law is a curve, which has no points yet.
+    is_curve: bool,
 }
 
 /// The direction of a body or of an element by its name.
@@ -561,11 +609,16 @@ fn place_of(step: &str) -> Option<usize> {
     step.trim().strip_prefix('[')?.strip_suffix(']')?.trim().parse::<usize>().ok()?.checked_sub(1)
 }
 
+/// A value as it is typed: a number, or a text.
+pub(super) fn typed(text: &str) -> Value {
+    let number = text.parse::<f64>().ok().and_then(serde_json::Number::from_f64);
+    number.map_or_else(|| Value::String(text.to_owned()), Value::Number)
+}
+
 /// Sets a value of the file, by `name.field` of a named contact, spring, stop or body, or by its place.
 pub(super) fn set(file: &mut Value, path: &str, text: &str) -> Result<(), String> {
     let about = |what: &str| format!("{path}={text}: {what}");
-    let value = text.parse::<f64>().ok().and_then(serde_json::Number::from_f64);
-    let value = value.map_or_else(|| Value::String(text.to_owned()), Value::Number);
+    let value = typed(text);
     let steps = steps(path).ok_or_else(|| about("a place in brackets must be a whole number ≥ 1"))?;
     let Some((last, steps)) = steps.split_last() else { return Err(about("needs a name")) };
     let by_name = |file: &Value| -> Option<Vec<String>> {

@@ -3,6 +3,7 @@
 use super::answer::{is_hard, kind_of};
 use super::described::Described;
 use super::description::OfSliding;
+use super::tabled::{Digits, OfTable};
 use crate::inputs::units::{Kind as Of, System as Units};
 use crate::words::digits;
 use std::f64::consts::TAU;
@@ -71,6 +72,23 @@ pub fn sliding_verdict(found: &OfSliding, units: Option<&Units>) -> Option<Strin
         format!("It diverges from {from} on.")
     };
     Some(format!("{now} {how}"))
+}
+
+/// What is known of the digits of an answer under laws that are curves.
+#[must_use]
+pub fn digits_sentence(digits: &Digits, units: Option<&Units>) -> String {
+    let table = |of: &OfTable| {
+        let within: f64 = format!("{:.1e}", of.within).parse().unwrap_or(of.within);
+        let within = with_unit(within, units, Of::Force);
+        format!("The law of {} is a table of {} pieces, within {within} of the curve. ", of.name, of.pieces)
+    };
+    let tables: String = digits.tables.iter().map(table).collect();
+    let known = if digits.events_agree {
+        "The digits are estimated from tables of half and a quarter of these pieces."
+    } else {
+        "The tables do not have the same events: the digits are those in which they agree, and the events are those of the finest table."
+    };
+    format!("{tables}{known}")
 }
 
 /// The verdict on a steady motion.

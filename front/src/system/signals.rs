@@ -300,6 +300,7 @@ impl Builder<'_> {
             return Err(bad(&match (column, kinds) {
                 (Some(column), _) => format!("has no column {column}"),
                 (None, [Of::Velocity, Of::Force]) => "must have the columns speed and force".to_owned(),
+                (None, [Of::Length, Of::Force]) => "must have the columns displacement and force".to_owned(),
                 (None, _) => "must have the columns time and value".to_owned(),
             }));
         };

@@ -2,14 +2,25 @@
 #![cfg(feature = "system")]
 
 mod bounds;
+mod curves;
 mod drives;
 mod hostile;
 mod schema;
+mod springs;
+mod stepper;
 mod wrong;
+
+#[path = "../../../tests/random/generator.rs"]
+mod generator;
 
 use serde_json::{Value, json};
 use std::path::Path;
 use stickslip_front::system::{NamedSystem, parsed};
+
+/// How many are compared: the second number under `.ci/slow systems`.
+fn count(usual: usize, all: usize) -> usize {
+    if std::env::var_os("STICKSLIP_ALL_SYSTEMS").is_some() { all } else { usual }
+}
 
 /// The system of a text.
 fn named(text: &str) -> NamedSystem {
@@ -23,6 +34,8 @@ fn by_names() -> Value {
         "units": "N,mm",
         "masses": {"table": {"moves": {"displacement": {"amplitude": 2, "frequency": 4, "shape": "triangle"}}}, "block": "1 t", "roof": {"mass": "500 kg", "start": "3 mm", "velocity": "1 mm/s"}},
         "springs": [
+            {"name": "cable", "between": ["ground", "roof"], "law": {"formula": "3*x + x^3", "tolerance": "1 N"}, "odd": false},
+            {"name": "bump", "between": ["ground", "roof"], "law": [[0, 0], ["4 mm", "3 N"], [6, 40]], "odd": true},
             {"between": ["ground", "block"], "stiffness": "200 N/mm", "damping": "0.3 N*s/mm"},
             {"between": ["block", "roof"], "stiffness": 300},
         ],
@@ -33,6 +46,8 @@ fn by_names() -> Value {
             {"between": ["table", "roof"], "coefficient": 0.2, "stiffness": "5 N/mm",
                 "normal_load": {"constant": 9, "between": ["ground", "block"], "stiffness": 2, "damping": 0.1}},
             {"between": ["ground", "roof"], "friction": "10 N", "stiffness": "5 N/mm"},
+            {"name": "seal", "between": ["ground", "block"], "law": {"kinetic": "3 N", "static": "4 N", "speed": "5 mm/s", "exponent": 2, "viscous": 0.1, "tolerance": 0.5}},
+            {"name": "felt", "between": ["ground", "roof"], "law": {"formula": "3 + exp(-v)"}},
         ],
         "stops": [
             {"between": ["ground", "roof"], "gap": "9 mm", "stiffness": "1 kN/mm", "damping": 0.1},
@@ -59,6 +74,7 @@ fn by_matrices() -> Value {
             {"type": "stop", "direction": [0, 1], "gap": 0.1, "stiffness": 1e4, "side": -1},
             {"type": "contact", "direction": [0, 1], "friction": 0.3, "normal": {"const": 2, "displacement": [0.1, 0]}},
             {"type": "stop", "direction": [1, 0], "gap": 0.4, "restitution": 0.6},
+            {"type": "spring", "direction": [0, 1], "law": [[-1, 0], [0, 0], [1, 20]], "odd": false},
         ],
         "harmonics": [{"frequency": 18.8, "sin": [0, 1500], "cos": [1, 0]}],
         "record": {"times": [0, 0.1, 0.2], "values": [0, 1, -1], "force": [1, 1]},

@@ -105,6 +105,8 @@ fn the_schema_has_the_fields_of_the_reader() {
         ("spring", "/springs/0", by_names()),
         ("contact", "/contacts/0", by_names()),
         ("stop", "/stops/0", by_names()),
+        ("curve", "/contacts/5/law", by_names()),
+        ("spring_curve", "/springs/0/law", by_names()),
         ("force", "/forces/0", by_names()),
         ("base", "/base", by_names()),
         ("signal", "/base/acceleration", by_names()),
@@ -128,7 +130,7 @@ fn the_schema_has_the_fields_of_the_reader() {
     }
     // The fields of an element depend on its type: together they are the schema's.
     let mut found = BTreeSet::new();
-    for place in 0..5 {
+    for place in 0..6 {
         found.append(&mut of_reader(by_matrices(), &format!("/elements/{place}")));
     }
     let own: BTreeSet<String> =

@@ -90,6 +90,9 @@ fn what_is_no_value_of_a_field_is_named_by_its_place() {
                 if field(path) == "name" && new.as_str().is_some_and(|text| !text.is_empty()) {
                     continue;
                 }
+                if field(path) == "odd" && new.is_boolean() {
+                    continue;
+                }
                 let mut value = file.clone();
                 *at(&mut value, path) = new.clone();
                 let why = built(&value).expect_err(&place(path));

@@ -38,10 +38,11 @@ class System:
     ----------
     masses : dict of str to a mass, or to a dict with mass, start and velocity, or with moves, its prescribed motion
     springs : list of dict
-        ``between`` two bodies or ``"ground"``, ``stiffness``, ``damping``.
+        ``between`` two bodies or ``"ground"``, ``stiffness``, ``damping``; in place of a stiffness ``law``, a list of pairs of a
+        displacement and a force, with ``odd``, or a dict with ``formula`` of x and ``tolerance``.
     contacts : list of dict
         ``between``, and ``friction``, or ``coefficient`` and ``normal_load``, or ``law``, a list of pairs of a speed and a
-        force. ``peak`` (static over kinetic friction), ``stiffness`` (of an elastic contact), ``moves`` (the motion of the
+        force, or a dict: ``kinetic``, ``static``, ``speed``, ``exponent`` and ``viscous``, or ``formula`` of v, and ``tolerance``. ``peak`` (static over kinetic friction), ``stiffness`` (of an elastic contact), ``moves`` (the motion of the
         other side) and ``name`` may be left out.
     stops : list of dict
         ``between``, ``gap``, and ``stiffness`` and ``damping``, or a ``restitution`` from 0 to 1.
