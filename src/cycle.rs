@@ -88,10 +88,8 @@ pub(crate) use border::border_near;
 pub(crate) use displacement::max_displacement;
 pub(crate) use displacement::velocity_phase;
 #[cfg(feature = "mp")]
-pub(crate) use dissipation::{best_force_ratio, best_loop_size};
-pub(crate) use dissipation::{
-    best_force_ratio_at, best_loop_size_at, loop_size_inertia, loop_size_stiffness,
-};
+pub(crate) use dissipation::{best_force_ratio, best_loop_size, loop_size_inertia};
+pub(crate) use dissipation::{best_force_ratio_at, best_loop_size_at, loop_size_stiffness};
 #[cfg(feature = "mp")]
 pub(crate) use half_cycle::{HalfCycle, free_swing};
 pub(crate) use peaks::dynamic_amplification;

@@ -43,6 +43,8 @@ mod exponential;
 mod field;
 mod foreign;
 mod fused;
+#[cfg(test)]
+mod libm_bits;
 #[cfg(feature = "mp")]
 #[cfg_attr(
     not(test),

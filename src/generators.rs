@@ -30,6 +30,7 @@
 //! ```
 
 mod numbers;
+mod point;
 mod points;
 mod records;
 mod starts;
@@ -40,26 +41,11 @@ use arbitrary::{Arbitrary, Result, Unstructured};
 #[cfg(test)]
 pub(crate) use numbers::neighbours;
 pub(crate) use numbers::{beside, magnitude, ordinary};
-pub(crate) use points::{damping_ratio, force_ratio, frequency_ratio};
+pub use point::Point;
+pub(crate) use points::{damping_ratio, frequency_ratio};
 pub use records::Shaken;
 #[cfg(feature = "system")]
 pub use systems::Structure;
-
-/// A frequency ratio and a force ratio.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Point {
-    /// Frequency ratio Ω.
-    pub omega: f64,
-    /// Force ratio α.
-    pub alpha: f64,
-}
-
-impl<'a> Arbitrary<'a> for Point {
-    fn arbitrary(u: &mut Unstructured<'a>) -> Result<Self> {
-        let omega = frequency_ratio(u)?;
-        Ok(Self { omega, alpha: force_ratio(u, omega)? })
-    }
-}
 
 /// A damping ratio. Where no bytes are left it is 0, so that inputs from before it existed keep their
 /// meaning.

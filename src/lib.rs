@@ -193,15 +193,14 @@ mod steady;
 )]
 pub mod system;
 pub mod uncertainty;
-#[doc(hidden)]
-pub mod words;
 
-/// The inputs of a machine with their rules, and numbers with units: for the command and the Python package.
+/// For the crates of this repository, which read inputs and print answers: it may change without notice.
 #[doc(hidden)]
-pub mod inputs {
+pub mod internal {
     pub use crate::machine::oscillator::critical_damping;
-    pub use crate::machine::units;
-    pub use crate::machine::{Driven, Given, Input, Naming, Point, Role, in_place_of_zeros, in_typed_unit};
+    pub use crate::machine::ratios::{non_negative, positive, springless_exponent};
+    pub use crate::motion::limit::observed::{Observed, observed};
+    pub use crate::output::{Column, Dimension, Kind, ResponseAnswer, Value, When, definitions};
 }
 
 /// The crates whose types and traits occur in this API, in the required versions.
@@ -227,11 +226,7 @@ pub use output::{Definition, Measure, Output};
 pub use cycle::phase_function::PhaseFunction;
 pub use cycle::regime::{Family, NoStop, Regime, Verdict};
 pub use machine::ratios::Ratios;
-#[doc(hidden)]
-pub use output::{Column, ResponseAnswer, Value, When, definitions};
 // The regime of an exact motion, as the command and the Python package report it.
 pub use cycle::response::Response;
-#[doc(hidden)]
-pub use motion::limit::observed::{Observed, observed};
 pub use motion::limit::observed::{Stops, stops_per_cycle};
 pub use steady::{Sample, Steady};

@@ -5,6 +5,7 @@ mod answer;
 mod definition;
 #[allow(missing_docs, reason = "each has its meaning")]
 pub mod definitions;
+mod kind;
 
 #[cfg(feature = "serde")]
 use crate::cycle::Cycle;
@@ -18,6 +19,7 @@ use crate::named::UnknownName;
 pub(crate) use answer::columns;
 pub use answer::{Column, ResponseAnswer, Value, When};
 pub use definition::{Definition, Measure};
+pub use kind::{Dimension, Kind};
 
 /// Defines the outputs from one row each: the names in Rust and in the command, the measure, the meaning, the
 /// other columns of a [`Definition`], and the dimensionless value.
@@ -269,6 +271,21 @@ impl core::str::FromStr for Output {
 impl core::fmt::Display for Output {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.pad(self.name())
+    }
+}
+
+impl<F: Float> Response<F> {
+    /// An output of this answer; `None` where it does not exist, such as the displacement of a body that sticks.
+    ///
+    /// ```
+    /// use stickslip::{Output, Ratios, Response};
+    /// let response = Response::new(Ratios::new(1.5, 2.5)?);
+    /// assert!((response.get(Output::MaxDisplacement).unwrap() - 1.632_993_f64).abs() < 1e-6);
+    /// # Ok::<(), stickslip::Error>(())
+    /// ```
+    #[must_use]
+    pub fn get(&self, output: Output) -> Option<F> {
+        output.of(self)
     }
 }
 

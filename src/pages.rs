@@ -23,7 +23,7 @@ pages! {
     StaticFriction: "../docs/development/theory/static-friction.md",
 }
 
-#[cfg(all(feature = "batch", feature = "dual"))]
+#[cfg(all(feature = "batch", feature = "dual", feature = "system"))]
 pages! {
     Rust: "../docs/rust.md",
 }

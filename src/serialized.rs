@@ -7,9 +7,8 @@ use crate::cycle::response::Response;
 use crate::enclosed::{self, Enclosure};
 use crate::float::Float;
 use crate::machine::error::{Error, Quantity};
-use crate::machine::units::InputError;
 use crate::motion::record::Record;
-use crate::motion::{FreeDecay, SteadyOutput, SteadyState};
+use crate::motion::{FreeDecay, Segment, SteadyOutput, SteadyState};
 use crate::named::UnknownName;
 use crate::output::Output;
 #[cfg(feature = "dual")]
@@ -39,7 +38,7 @@ macro_rules! as_text {
     };
 }
 
-as_text!(Error, InputError, Quantity, UnknownName);
+as_text!(Error, Quantity, UnknownName);
 #[cfg(feature = "mp")]
 as_text!(crate::float::ParseError, crate::float::PrecisionError);
 #[cfg(feature = "matching")]
@@ -74,6 +73,19 @@ impl<F: Float + Serialize> Serialize for Record<F> {
             }
             map.serialize_entry("samples", self.samples())?;
             map.serialize_entry("after", &self.after())
+        })
+    }
+}
+
+/// The kind, the event that ends it, the states at both ends, and the duration.
+impl<F: Float + Serialize> Serialize for Segment<F> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        in_map(serializer, Some(5), |map| {
+            map.serialize_entry("kind", &self.kind)?;
+            map.serialize_entry("ends_by", &self.ends_by)?;
+            map.serialize_entry("start", &self.start())?;
+            map.serialize_entry("end", &self.end())?;
+            map.serialize_entry("duration", &self.duration())
         })
     }
 }

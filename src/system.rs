@@ -5,39 +5,34 @@
 //! event is found with a certificate that none came before: there is neither a step size nor a tolerance.
 //!
 //! ```
-//! use stickslip::system::{Element, EventKind, Kind, Law, Model, Signal, State, System};
+//! use stickslip::system::{EventKind, System};
 //! // Two masses of 1 on springs of 1; the second slides on the ground with the friction 0.5.
-//! let contact = Element {
-//!     name: "ground".into(),
-//!     direction: vec![0.0, 1.0],
-//!     moves: Signal::constant(0.0),
-//!     kind: Kind::Contact { law: Law::constant(0.5), peak: 1.0, normal: None },
-//! };
-//! let system = System::new(&Model {
-//!     mass: vec![vec![1.0, 0.0], vec![0.0, 1.0]],
-//!     damping: vec![vec![0.0, 0.0], vec![0.0, 0.0]],
-//!     stiffness: vec![vec![2.0, -1.0], vec![-1.0, 1.0]],
-//!     elements: vec![contact],
-//!     ..Model::default()
-//! })?;
-//! let start = State { displacement: vec![1.0, 0.0], ..State::rest(2) };
-//! let motion = system.simulate(&start, 3.0)?;
+//! let built = System::builder()
+//!     .mass("first", 1.0)
+//!     .mass("second", 1.0)
+//!     .spring("ground", "first", 1.0)
+//!     .spring("first", "second", 1.0)
+//!     .contact("ground", "second", 0.5)
+//!     .starts("first", 1.0, 0.0);
+//! let motion = built.build()?.simulate(&built.start(), 3.0)?;
 //! assert_eq!(motion.events.first().map(|e| e.kind), Some(EventKind::Stick));
 //! # Ok::<(), stickslip::system::Error>(())
 //! ```
 //!
 //! # Where is what
 //!
-//! `model.rs` is the description as it is given, `assembly.rs` checks it and builds rows over the state,
+//! `model.rs` is the description as it is given, `build.rs` builds it by the names of its bodies, `assembly.rs` checks it and builds rows over the state,
 //! `branch.rs` has the linear equation between two events and the proof of the certificate, `timeline.rs` has the samples of records in time, `first_passage.rs` the search for a
 //! guard's first zero, `next_branch.rs` the choice of the next branch, `dependent.rs` what contacts with dependent directions
-//! can hold, `follow.rs` the motion from event to event, `events.rs` what watches it, `levels.rs` the passages of values,
+//! can hold, `blow.rs` what happens at stops with a restitution, `massless.rs` what has no mass, `follow.rs` the motion from event to event, `events.rs` what watches it, `levels.rs` the passages of values,
 //! `grid.rs` many systems on all cores, `motion.rs` its answers, `steady.rs` the long run, `self_excited.rs` that without a load, `sliding.rs` the stability of steady sliding, and `border.rs` the closed form for one contact.
 
 mod assembly;
+mod blow;
 mod border;
 mod branch;
 mod branches;
+mod build;
 mod dependent;
 mod drift;
 mod equation;
@@ -52,6 +47,7 @@ mod forced;
 mod grid;
 mod kept;
 mod levels;
+mod massless;
 mod matrix;
 mod model;
 mod modes;
@@ -74,6 +70,7 @@ use follow::Follower;
 use motion::{Observer, Passage, state};
 
 pub use border::{Border, Cycle};
+pub use build::Builder;
 pub use error::Error;
 pub use events::{Event, EventKind};
 #[cfg(feature = "rayon")]
@@ -96,7 +93,7 @@ impl<F: Float> System<F> {
     ///
     /// # Errors
     /// [`Error`], which names the part and the condition: numbers are finite, matrices square, M symmetric and positive
-    /// definite, laws begin at 0 and increase, frictions are ≥ 0, stiffnesses > 0, peaks ≥ 1.
+    /// definite, laws begin at 0 and increase, frictions are ≥ 0, stiffnesses > 0, peaks ≥ 1, restitutions from 0 to 1.
     pub fn new(model: &Model<F>) -> Result<Self, Error> {
         Assembly::new(model).map(|assembly| Self { assembly })
     }

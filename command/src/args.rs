@@ -42,8 +42,8 @@ Examples:
 
 Limits:
   The closed forms have one body, Coulomb friction and a harmonic drive. Measured loads are records (record,
-  spectrum). Several bodies, several harmonics, friction that depends on speed or load, belts, elastic contacts and
-  stops are systems (system). Impacts with a coefficient of restitution need another tool.
+  spectrum). Several bodies, several harmonics, friction that depends on speed or load, belts, elastic contacts,
+  stops and blows with a coefficient of restitution are systems (system). Friction under a blow needs another tool.
 
 Units:
   Without a machine every value is a ratio: lengths are in B = r_y/k, velocities in B ω_d, forces in r_y, energies

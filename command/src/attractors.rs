@@ -11,7 +11,7 @@ use crate::starts::Starts;
 use crate::{input, interrupt, output, progress, style};
 use serde::Serialize;
 use std::io::Write;
-use stickslip::definitions::{
+use stickslip::internal::definitions::{
     LIMIT, LYAPUNOV_EXPONENT, LYAPUNOV_EXPONENT_ERROR, MULTIPLIERS, STICKS_PER_CYCLE, SYMMETRIC,
     TURNS_PER_CYCLE, VELOCITY_ZEROS_PER_CYCLE,
 };
@@ -192,7 +192,7 @@ fn text<F: Value>(all: &Attractors<F>, reach: F, note: &mut Note<'_, F, impl Wri
             note.out,
             "\n{}. {}, {part} % of the starts",
             place + 1,
-            stickslip::words::described(found)
+            stickslip_front::words::described(found)
         )?;
         if let Some(steady) = found.limit.steady_state() {
             of_cycle(steady, note)?;
@@ -283,7 +283,7 @@ fn text_of_others<F: Value>(others: &[Other<F>], turns: u32, note: &mut Note<'_,
     for Other { number, mirror, steady } in others {
         let stability = if steady.is_stable() { "stable" } else { "unstable" };
         let mirror = mirror.map_or(String::new(), |number| format!(", the mirror image of {number}"));
-        writeln!(note.out, "\n{number}. {}, {stability}{mirror}", stickslip::words::shape(steady))?;
+        writeln!(note.out, "\n{number}. {}, {stability}{mirror}", stickslip_front::words::shape(steady))?;
         of_cycle(steady, note)?;
         let [(re, im), _] = steady.multipliers;
         let imaginary = if im == F::int(0) { String::new() } else { format!(" ± {} i", digits(im.abs())) };

@@ -11,10 +11,10 @@ use crate::input;
 use crate::map;
 use crate::starts::Starts;
 use std::io::Write;
-use stickslip::inputs::units::Kind;
 use stickslip::motion::{Attractors, State};
-use stickslip_figures::{Axis, Figure, Panel, Plane, Scale, Series, Style};
+use stickslip_draw::{Axis, Figure, Panel, Plane, Scale, Series, Style};
 use stickslip_front::grid::Range;
+use stickslip_front::inputs::units::Kind;
 
 /// The number of values of a grid that is not given.
 const COUNT: u64 = 101;
@@ -107,7 +107,7 @@ impl<F: Value> Basins<F> {
         for (x, v, place) in self.starts() {
             let number = place.map_or(String::new(), |place| (place + 1).to_string());
             let limit = place.and_then(|place| self.all.limits.get(place));
-            let limit = limit.map_or("Not settled".to_owned(), stickslip::words::described);
+            let limit = limit.map_or("Not settled".to_owned(), stickslip_front::words::described);
             writer.write_record([x.to_string(), v.to_string(), number, limit])?;
         }
         Ok(writer.flush()?)

@@ -8,7 +8,7 @@ use num_traits::Pow;
 use std::str::FromStr;
 use stickslip::Float;
 
-pub(crate) use stickslip::words::digits;
+pub(crate) use stickslip_front::words::digits;
 
 /// A number type that the command can read, write and space evenly.
 pub(crate) trait Value: Float + FromStr + Pow<Self, Output = Self> + Send + Sync {}

@@ -10,9 +10,10 @@ use crate::physical::Physical;
 use crate::points::AskedPoints;
 use crate::row::{Cells, Row};
 use std::io::Write;
-use stickslip::definitions::NO_STOP_FORCE_RATIOS;
-use stickslip::inputs::{Given, Point};
-use stickslip::{Error, NoStop, Ratios, Response, ResponseAnswer};
+use stickslip::internal::ResponseAnswer;
+use stickslip::internal::definitions::NO_STOP_FORCE_RATIOS;
+use stickslip::{Error, NoStop, Ratios, Response};
+use stickslip_front::inputs::{Given, Point};
 
 pub(crate) fn response(args: &ResponseArgs, out: &mut impl Write) -> Outcome {
     if args.enclose {

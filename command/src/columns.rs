@@ -3,7 +3,7 @@
 use csv::StringRecord;
 use std::str::FromStr;
 use stickslip::Float;
-use stickslip::inputs::units::{Factor, InputError, Kind, Reader, number};
+use stickslip_front::inputs::units::{Factor, InputError, Kind, Reader, number};
 
 /// A column that is read.
 pub(crate) struct Column {

@@ -17,12 +17,12 @@ use clap::ValueEnum;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::f64::consts::TAU;
 use std::io::Write;
-use stickslip::inputs::units::{Kind, Reader, System};
-use stickslip::inputs::{Given, Input, Naming, Point, Role};
 use stickslip::motion::Amplitude;
 use stickslip::{Error, Regime};
-use stickslip_figures::Figure;
+use stickslip_draw::Figure;
 use stickslip_front::curve::{Axis, Place, Source};
+use stickslip_front::inputs::units::{Kind, Reader, System};
+use stickslip_front::inputs::{Given, Input, Naming, Point, Role};
 
 /// The greatest number of curves in a picture.
 const MOST_CURVES: u64 = 40;

@@ -17,12 +17,12 @@ use crate::shaken::Surface;
 use std::f64::consts::TAU;
 use std::io::Write;
 use std::path::Path;
-use stickslip::definitions::REST_POSITION;
-use stickslip::inputs::units::{Kind, System};
-use stickslip::inputs::{Given, Input, Role};
+use stickslip::internal::definitions::REST_POSITION;
 use stickslip::motion::{FreeDecay, Trajectory};
 use stickslip::{Excitation, Measure, Quantity};
-use stickslip_figures::{Figure, Panel, Series, Style};
+use stickslip_draw::{Figure, Panel, Series, Style};
+use stickslip_front::inputs::units::{Kind, System};
+use stickslip_front::inputs::{Given, Input, Role};
 
 pub(crate) fn run(args: &DecayArgs, out: &mut impl Write) -> Outcome {
     at_bits!(args.answer.bits, respond(args: &DecayArgs, out))

@@ -10,7 +10,7 @@ use crate::{motion_plot, output, rows};
 use serde::Serialize;
 use std::io::{BufReader, Cursor, Read, Write};
 use std::path::Path;
-use stickslip_figures::{Axis, Figure, Panel, Series, Style};
+use stickslip_draw::{Axis, Figure, Panel, Series, Style};
 use stickslip_front::record::{Channel, describe};
 use stickslip_front::text::printable;
 

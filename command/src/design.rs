@@ -3,21 +3,22 @@
 mod asked;
 mod best;
 mod over_band;
+mod row;
 mod target_friction;
 
 use crate::args::{Question, QuestionArgs};
 use crate::bits::{Value, at_bits, digits};
 use crate::failure::{Failure, Outcome};
-use crate::physical::Units;
-use crate::row::{Cell, Cells, Number};
+use crate::row::{Cell, Cells};
 use crate::{input, note, output};
 use asked::AskedDesign;
-use serde::ser::{Serialize, SerializeMap, Serializer};
+use row::DesignAnswer;
+pub(crate) use row::{AnswerRow, NamedRow, shown};
 use std::io::Write;
 use stickslip::design::{self, Band, Edge, Holding};
-use stickslip::inputs::units::{Kind, System};
-use stickslip::inputs::{Given, Input, Role};
 use stickslip::{Border, Drive, Error, Excitation, NoStop, Oscillator, Ratios};
+use stickslip_front::inputs::units::Kind;
+use stickslip_front::inputs::{Given, Input, Role};
 
 pub(crate) fn run(question: &Question, out: &mut impl Write) -> Outcome {
     at_bits!(arguments(question).answer.bits, respond(question: &Question, out))
@@ -34,20 +35,6 @@ const fn arguments(question: &Question) -> &QuestionArgs {
         | Question::Dissipation(args)
         | Question::Stiffness(args) => args,
     }
-}
-
-/// A row of an answer: name, kind and value of each number.
-pub(crate) type AnswerRow<F> = Vec<(&'static str, Kind, Cell<F>)>;
-
-/// The row as it is written.
-pub(crate) fn shown<F: Value>(row: &AnswerRow<F>) -> AnswerRow<Number> {
-    row.iter().map(|(name, kind, cell)| (*name, *kind, cell.shown())).collect()
-}
-
-/// An answer: a sentence and its numbers.
-struct DesignAnswer<F> {
-    sentence: String,
-    rows: Vec<AnswerRow<F>>,
 }
 
 impl<F: Value> DesignAnswer<F> {
@@ -99,32 +86,6 @@ fn respond<F: Value>(question: &Question, out: &mut impl Write) -> Outcome {
     }
 }
 
-/// A row as JSON; in physical units it includes the kind of base motion and the unit of each value.
-pub(crate) struct NamedRow {
-    pub(crate) row: AnswerRow<Number>,
-    pub(crate) system: Option<System>,
-    pub(crate) base_motion: Option<&'static str>,
-}
-
-impl Serialize for NamedRow {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(None)?;
-        for (name, _, cell) in &self.row {
-            map.serialize_entry(name, cell)?;
-        }
-        if let Some(base) = self.base_motion {
-            map.serialize_entry("base_motion", base)?;
-        }
-        if let Some(system) = self.system {
-            let numbers =
-                self.row.iter().filter(|(_, _, cell)| matches!(cell, Cell::Number(_) | Cell::Intervals(_)));
-            let kinds = numbers.map(|(name, kind, _)| (*name, *kind)).collect();
-            map.serialize_entry("units", &Units(system, kinds))?;
-        }
-        map.end()
-    }
-}
-
 impl<F: Value> AskedDesign<'_, F> {
     fn min_force(&self) -> Result<DesignAnswer<F>, Failure> {
         if !self.physical {
@@ -141,7 +102,7 @@ impl<F: Value> AskedDesign<'_, F> {
         let force = design::min_amplitude(&body, Excitation::Force, frequency).map_err(|e| self.fail(e))?;
         let force = force * self.share;
         let (newton, length) = (self.system().force(), self.system().length());
-        let unbalance = self.system().name(Kind::Unbalance);
+        let (unbalance, factor) = self.system().for_reading(Kind::Unbalance);
         let mut fields = force_and_equals(&self.given, &body, frequency, force);
         fields.extend(self.shift(&body)?);
         let of = |name: &str| {
@@ -151,11 +112,15 @@ impl<F: Value> AskedDesign<'_, F> {
             far if far.is_empty() => "a motion ".to_owned(),
             far => format!("a motion of {far} {length} of the spring's support over a fixed surface, or "),
         };
+        let turning = fields.iter().find_map(|(name, _, cell)| match cell {
+            Cell::Number(Some(value)) if *name == "unbalance" => Some(digits(factor.times(*value))),
+            _ => None,
+        });
         let sentence = format!(
             "The body never sticks at a force of {} {newton} or more: a rotating unbalance of {} {unbalance}, {foot}of {} \
              {length} of a base that carries the surface.",
             of("force"),
-            of("unbalance"),
+            turning.unwrap_or_default(),
             of("base_displacement")
         );
         let answer = DesignAnswer::one(sentence, fields);

@@ -7,8 +7,8 @@ use crate::{input, interrupt, output};
 use serde_json::json;
 use std::io::Write;
 use std::path::Path;
-use stickslip::inputs::units::Reader;
-use stickslip::inputs::{Given, Input};
+use stickslip_front::inputs::units::Reader;
+use stickslip_front::inputs::{Given, Input};
 use stickslip_front::system::{Answer, NamedSystem};
 
 /// The inputs, if they are those of one body that drifts.

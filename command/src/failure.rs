@@ -83,8 +83,8 @@ impl From<&str> for Failure {
 }
 
 /// A value or a unit that cannot be read.
-impl From<stickslip::inputs::units::InputError> for Failure {
-    fn from(error: stickslip::inputs::units::InputError) -> Self {
+impl From<stickslip_front::inputs::units::InputError> for Failure {
+    fn from(error: stickslip_front::inputs::units::InputError) -> Self {
         Self::Input(error.to_string())
     }
 }

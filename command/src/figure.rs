@@ -9,7 +9,8 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::fs;
 use std::io::Write;
 use std::path::Path;
-use stickslip_figures::{self as figures, Figure, MOST_PIXELS as MOST};
+use stickslip_draw::{Figure, MOST_PIXELS as MOST};
+use stickslip_figures as figures;
 use stickslip_front::text::{is_control, printable};
 
 /// The width of a PNG in pixels.
@@ -235,10 +236,10 @@ fn write_drawing(
                 .into());
             }
             let width = size.map_or(WIDTH, |(width, _)| width.saturating_mul(2));
-            out.write_all(&figures::png_of_svg(svg, width).map_err(|e| of_size(size, &e))?)?;
+            out.write_all(&stickslip_draw::png_of_svg(svg, width).map_err(|e| of_size(size, &e))?)?;
         }
         #[cfg(feature = "png")]
-        Picture::Pdf => out.write_all(&figures::pdf_of_svg(svg).map_err(|e| of_size(size, &e))?)?,
+        Picture::Pdf => out.write_all(&stickslip_draw::pdf_of_svg(svg).map_err(|e| of_size(size, &e))?)?,
         #[cfg(not(feature = "png"))]
         Picture::Png | Picture::Pdf => check(picture, picture.extension())?,
     }

@@ -8,8 +8,8 @@ use crate::physical::Units;
 use crate::row::{Cell, Number};
 use serde::ser::{Serialize, Serializer};
 use std::io::Write;
-use stickslip::inputs::units::{Kind, Reader, System};
 use stickslip::motion::record::{Body, Record};
+use stickslip_front::inputs::units::{Kind, Reader, System};
 
 /// The most oscillators.
 const MOST: u64 = 10_000;

@@ -3,10 +3,10 @@
 use crate::bits::{Value, all_digits};
 use crate::failure::{Failure, Outcome};
 use crate::input::note_unusual;
-use stickslip::inputs::units::{Kind, Reader};
-use stickslip::inputs::{Given, Input, Naming};
-use stickslip_figures::Axis;
+use stickslip_draw::Axis;
 use stickslip_front::grid::Range;
+use stickslip_front::inputs::units::{Kind, Reader};
+use stickslip_front::inputs::{Given, Input, Naming};
 
 /// The values of one argument.
 #[derive(Debug, Clone)]

@@ -2,6 +2,7 @@
 
 mod decay;
 mod motion;
+mod read;
 
 use crate::args::IdentifyArgs;
 use crate::bits::digits;
@@ -9,19 +10,20 @@ use crate::columns::Column;
 use crate::failure::{Failure, Outcome};
 use crate::input;
 use crate::output;
-use crate::rows::{self, Ahead, Bounded};
+use crate::rows::Ahead;
 use csv::StringRecord;
+use read::{EstimateRecord, columns, each_row, estimate_line, in_line, note_mass_beside_columns, opened};
 use serde::Serialize;
 use std::f64::consts::TAU;
-use std::io::{Read, Write};
+use std::io::Write;
 use std::iter::zip;
 use std::path::Path;
 use stickslip::design::{self, AmplitudeKind, Identified, Measurement, PhaseKind, Reading};
-use stickslip::inputs::units::{Kind, Reader};
-use stickslip::inputs::{Given, Input, Role, critical_damping};
 use stickslip::uncertainty::Estimate;
 use stickslip::{Error, Oscillator};
-use stickslip_front::names::{is_misspelt, name_and_unit};
+use stickslip_front::inputs::units::{Kind, Reader};
+use stickslip_front::inputs::{Given, Input, Role, critical_damping};
+use stickslip_front::names::name_and_unit;
 
 /// The greatest number of measurements.
 const MOST_ROWS: usize = 10_000;
@@ -67,13 +69,6 @@ pub(crate) fn run(args: &IdentifyArgs, out: &mut impl Write) -> Outcome {
         return output::json(&answer, out);
     }
     text(&given, &answer, &found, &file, out)
-}
-
-/// The note of a mass without a unit, where only columns of the file have units.
-fn note_mass_beside_columns(args: &IdentifyArgs, reader: &Reader) {
-    if args.machine.iter().all(|(_, text)| !Reader::has_unit(text)) {
-        input::note_bare_mass(&args.machine, reader);
-    }
 }
 
 /// What is known, besides the mass.
@@ -156,34 +151,6 @@ fn force(given: &Given<f64>, body: &Oscillator<f64>) -> Result<f64, Failure> {
     }
 }
 
-/// The columns of a header that are read, and the names of the others.
-fn columns<const N: usize>(
-    header: &StringRecord,
-    file: &str,
-    reader: &Reader,
-    known: [(&'static str, Kind); N],
-) -> Result<([Option<Column>; N], Vec<String>), Failure> {
-    let (mut found, mut others) = ([const { None }; N], Vec::new());
-    for (place, text) in header.iter().enumerate() {
-        let (own, unit) = name_and_unit(text);
-        let refused = |what: &str| Err(format!("{file}: column {own} {what}").into());
-        let named = zip(&mut found, known).find(|(_, (name, _))| own.eq_ignore_ascii_case(name));
-        let Some((column, (name, kind))) = named else {
-            // A misspelt column must not be ignored silently.
-            if let Some((name, _)) = known.iter().find(|(name, _)| is_misspelt(own, name)) {
-                return refused(&format!("is unknown. Spell it {name}, or rename it"));
-            }
-            others.push(own.to_owned());
-            continue;
-        };
-        if column.is_some() {
-            return refused("must be there once only");
-        }
-        *column = Some(Column::new(file, (place, name, unit), kind, reader)?);
-    }
-    Ok((found, others))
-}
-
 /// A phase within a turn. Without a unit it is in radians, and more than a turn is a sign of degrees.
 fn phase(column: &Column, row: &StringRecord, at: &str, reader: &Reader) -> Result<f64, Failure> {
     let (phase, text) = (column.value::<f64>(row, at, reader)?, column.text(row));
@@ -244,63 +211,6 @@ impl Measured {
             Ok(())
         })?;
         Ok(Self { curve, lines, others, units })
-    }
-}
-
-/// A file of measurements, of which no line may be endless.
-type Table<'a> = csv::Reader<Bounded<'a, Box<dyn Read>>>;
-
-/// The file and its header.
-fn opened<'a>(file: &Path, name: &str, ahead: &'a Ahead) -> Result<(Table<'a>, StringRecord), Failure> {
-    rows::table(Bounded { source: rows::open(file, name)?, ahead }, name)
-}
-
-/// Takes each row with its place in words, up to a number of things, and returns the lines of the rows.
-fn each_row(
-    table: &mut Table<'_>,
-    name: &str,
-    ahead: &Ahead,
-    (most, things): (usize, &str),
-    mut take: impl FnMut(&StringRecord, &str) -> Outcome,
-) -> Result<Vec<u64>, Failure> {
-    let mut lines = Vec::new();
-    rows::each(table, name, ahead, |row, line| {
-        let at = format!("{name} line {line}");
-        if lines.len() == most {
-            return Err(format!("{at}: the number of {things} must be ≤ {most}").into());
-        }
-        lines.push(line);
-        take(row, &at)
-    })?;
-    Ok(lines)
-}
-
-/// The error of a measurement with its line.
-fn in_line(error: Error, name: &str, lines: &[u64]) -> String {
-    if let Error::InMeasurement { index, error } = error {
-        return format!("{name} line {}: {error}", lines.get(index).copied().unwrap_or_default());
-    }
-    format!("{name}: {error}")
-}
-
-/// An estimate in JSON.
-#[derive(Serialize)]
-struct EstimateRecord {
-    value: f64,
-    standard_error: f64,
-    interval_95: (f64, f64),
-    unit: String,
-}
-
-impl EstimateRecord {
-    fn of(estimate: &Estimate, scale: f64, unit: String) -> Self {
-        let (low, high) = estimate.interval();
-        Self {
-            value: estimate.value * scale,
-            standard_error: estimate.standard_error * scale,
-            interval_95: (low * scale, high * scale),
-            unit,
-        }
     }
 }
 
@@ -426,14 +336,6 @@ impl IdentifyAnswer {
         }
         remarks
     }
-}
-
-/// An estimate with its interval.
-fn estimate_line(name: &str, found: &EstimateRecord, out: &mut impl Write) -> Outcome {
-    let unit = if found.unit == "1" { String::new() } else { format!(" {}", found.unit) };
-    let (low, high) = found.interval_95;
-    let (value, low, high) = (digits(found.value), digits(low), digits(high));
-    Ok(writeln!(out, "  {name:<19} {value}{unit}  (95 %: {low} to {high}{unit})")?)
 }
 
 fn of_phase(kind: PhaseKind) -> &'static str {

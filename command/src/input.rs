@@ -5,10 +5,10 @@ use crate::bits::Value;
 use crate::failure::Failure;
 use crate::progress;
 use std::borrow::Cow;
-use stickslip::inputs::units::{self, Kind, Reader, System, split};
-use stickslip::inputs::{Driven, Given, Input, Naming, Point, Role};
 use stickslip::motion::State;
 use stickslip::{Drive, Error, Oscillator, Quantity, Ratios};
+use stickslip_front::inputs::units::{self, Kind, Reader, System, split};
+use stickslip_front::inputs::{Driven, Given, Input, Naming, Point, Role};
 
 /// The typed inputs, in the system of the reader.
 pub(crate) fn read<F: Value>(typed: &[(Input, String)], reader: &Reader) -> Result<Given<F>, Failure> {
@@ -123,30 +123,10 @@ pub(crate) fn mean_displacement<F: Value>(given: &Given<F>, body: &Oscillator<F>
 /// The inputs with a mass of 1 where none is given and the mass cancels: the body by its period or as a pendulum, friction
 /// by its coefficient, and everything else by ratios or as a motion of the base.
 pub(crate) fn with_any_mass<F: Value>(given: &Given<F>) -> Cow<'_, Given<F>> {
-    let is_one = |role: Role, inputs: &[Input]| {
-        Input::of_role(role).into_iter().all(|input| !given.has(input) || inputs.contains(&input))
-    };
-    let mut natural = vec![Input::Period, Input::NaturalFrequency, Input::PendulumRadius];
-    natural.extend(given.is_without_spring().then_some(Input::Stiffness));
-    let base = [
-        Input::Alpha,
-        Input::BaseAcceleration,
-        Input::BaseVelocity,
-        Input::BaseDisplacement,
-        Input::FootDisplacement,
-        Input::DampedFootDisplacement,
-    ];
-    let cancels = (given.has(Input::FrictionCoefficient) || !given.has_role(Role::Friction))
-        && given.is_physical()
-        && natural.iter().copied().any(|input| given.has(input))
-        && is_one(Role::Mass, &[])
-        && is_one(Role::Spring, &natural)
-        && is_one(Role::Friction, &[Input::FrictionCoefficient])
-        && is_one(Role::Drive, &base)
-        && is_one(Role::Damper, &[Input::DampingRatio])
-        && is_one(Role::StaticFriction, &[Input::StaticFrictionRatio])
-        && is_one(Role::MeanForce, &[])
-        && !given.has(Input::FrictionBackward);
+    let cancels = given.is_physical()
+        && given.has_role(Role::Spring)
+        && (given.has(Input::FrictionCoefficient) || !given.has_role(Role::Friction))
+        && given.needs_no_mass();
     if !cancels {
         return Cow::Borrowed(given);
     }
@@ -157,29 +137,6 @@ pub(crate) fn with_any_mass<F: Value>(given: &Given<F>) -> Cow<'_, Given<F>> {
     let mut given = given.clone();
     given.set(Input::Mass, F::int(1));
     Cow::Owned(given)
-}
-
-/// Whether the mass cancels, because all that is typed neither needs a mass nor gives one, so that it is a unit of mass from here on.
-pub(crate) fn has_unit_mass<F: Value>(typed: &[(Input, String)], given: &mut Given<F>) -> bool {
-    const WITHOUT_MASS: [Input; 8] = [
-        Input::Period,
-        Input::NaturalFrequency,
-        Input::PendulumRadius,
-        Input::FrictionCoefficient,
-        Input::Gravity,
-        Input::YieldAcceleration,
-        Input::DampingRatio,
-        Input::StaticFrictionRatio,
-    ];
-    let is_free = given.is_without_spring();
-    let needs_none = |input: &Input| {
-        WITHOUT_MASS.contains(input) || input.role() == Role::Drive || is_free && *input == Input::Stiffness
-    };
-    let cancels = typed.iter().all(|(input, _)| needs_none(input));
-    if cancels {
-        given.set(Input::Mass, F::int(1));
-    }
-    cancels
 }
 
 /// The displacement and the velocity at the start, typed in units; 0 where one is left out.

@@ -8,8 +8,8 @@ use crate::rows;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::BufReader;
 use std::path::Path;
-use stickslip::inputs::units::Reader;
 use stickslip::motion::record::{After, Record};
+use stickslip_front::inputs::units::Reader;
 use stickslip_front::record::{self, Options, Summary, Words};
 use stickslip_front::text::printable;
 

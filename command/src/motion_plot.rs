@@ -6,14 +6,16 @@ use crate::figure::Target;
 use crate::input;
 use crate::steady::of_motion;
 use std::io::Write;
-use stickslip::inputs::units::Kind;
 use stickslip::motion::{Instant, LongRun, Trajectory};
-use stickslip_figures::{Axis, Figure, Panel, Series, Style};
+use stickslip_draw::{Axis, Figure, Panel, Series, Style};
+use stickslip_front::inputs::units::Kind;
 
 /// The number of samples in a cycle.
 const PER_CYCLE: u32 = 600;
 /// The number of cycles drawn.
 const CYCLES: u32 = 2;
+/// The most cycles of a motion from its start to its rest.
+const MOST_CYCLES: u32 = 60;
 
 pub(crate) fn run(args: &MotionPlotArgs, out: &mut impl Write) -> Outcome {
     let target = Target::new("--out", args.out.as_deref(), args.overwrite, &args.look)?;
@@ -23,19 +25,27 @@ pub(crate) fn run(args: &MotionPlotArgs, out: &mut impl Write) -> Outcome {
     let start = input::start(&args.start, &given, point.machine.as_ref(), &reader)?;
     let named = |e: stickslip::Error| of_motion(&given, e);
     let limit = LongRun::from_start(point.ratios, start).map_err(named)?;
-    let Some(steady) = limit.steady_state() else {
+    // A motion that ends at rest is drawn from its start, with a period beyond its end.
+    let drawn = match (limit.steady_state(), &limit) {
+        (Some(steady), _) => Some((steady.state, CYCLES, "Steady motion")),
+        (None, LongRun::Rest(rest)) if rest.periods < f64::from(MOST_CYCLES) => {
+            Some((start, rest.periods.ceil() as u32 + CYCLES - 1, "Motion to its rest"))
+        }
+        _ => None,
+    };
+    let Some((begin, cycles, what)) = drawn else {
         let scale = point.machine.as_ref().map_or(1.0, |m| m.scales.length);
         let unit = if point.machine.is_some() { given.system.length() } else { "B" };
         let length = |x: f64| format!("{} {unit}", crate::bits::digits(x * scale));
-        let verdict = stickslip::words::limit(point.ratios, &limit, length, "");
+        let verdict = stickslip_front::words::limit(point.ratios, &limit, length, "");
         return Err(format!("motion-plot: there is no periodic motion to draw. {verdict}").into());
     };
-    let samples: Vec<Instant<f64>> = Trajectory::new(point.ratios, steady.state)
+    let samples: Vec<Instant<f64>> = Trajectory::new(point.ratios, begin)
         .and_then(|motion| motion.samples(PER_CYCLE))
         .map_err(named)?
         // The drive begins its cycle at t = 0.
         .skip_while(|sample| sample.as_ref().is_ok_and(|s| s.state.phase.reduced() != 0.0))
-        .take((PER_CYCLE * CYCLES + 1) as usize)
+        .take((PER_CYCLE * cycles + 1) as usize)
         .collect::<Result<_, _>>()
         .map_err(named)?;
     let system = given.system;
@@ -75,7 +85,7 @@ pub(crate) fn run(args: &MotionPlotArgs, out: &mut impl Write) -> Outcome {
         .map(|(title, y, points)| panel(title, over(&points, when, 0.0), y, points, &rests))
         .collect();
     panels.push(panel("friction loop", over(&friction_loop, &x, 0.08), &r, friction_loop, &rests));
-    let title = format!("Steady motion: {}", input::line(&args.machine, |_| true, &given.system));
+    let title = format!("{what}: {}", input::line(&args.machine, |_| true, &given.system));
     let figure = Figure::new("motion", title, "", panels).stacked();
     target.draw(out, || Ok(figure))
 }
@@ -110,7 +120,10 @@ pub(crate) fn panel(title: &str, x: Axis, y: &str, points: Vec<(f64, f64)>, rest
     let at_rest = Series::new("at rest", Style::Thick, 3, at_rest);
     // Without a rest there is nothing to tell apart.
     let key = if rests.contains(&true) { "sliding" } else { "" };
-    let mut series = vec![Series::new("sliding", Style::Line, 2, points).with_key(key)];
+    let mut series = Vec::new();
+    if rests.iter().any(|rest| !rest) {
+        series.push(Series::new("sliding", Style::Line, 2, points).with_key(key));
+    }
     series.extend(rests.contains(&true).then_some(at_rest));
     Panel::new(title, x, y, series)
 }

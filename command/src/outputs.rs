@@ -3,8 +3,10 @@
 use crate::failure::Outcome;
 use std::fmt::Write as _;
 use std::io::Write;
+use stickslip::internal::{ResponseAnswer, definitions as d};
 use stickslip::motion::SteadyAnswer;
-use stickslip::{Definition, Measure, Output as O, ResponseAnswer, definitions as d};
+use stickslip::{Definition, Measure, Output as O};
+use stickslip_front::quantities::{self, Quantity};
 
 /// The name of a column, with its unit and its meaning.
 pub(crate) type Key = &'static Definition;
@@ -102,32 +104,14 @@ fn groups() -> [(&'static str, Vec<Key>); 7] {
 }
 
 /// The outputs of a machine, under `physical` in JSON: in the units named there, or in brackets after the
-/// column's name.
-const PHYSICAL: &str = "\
+/// column's name. Its quantities stand between the drive and what follows from the outputs in ratios.
+const PHYSICAL: [&str; 2] = [
+    "\
 For a machine, under physical, each with its unit
 
   drive                          the drive: a force, a rotating unbalance, the spring's support, or a base that carries the surface
-  frequency                      frequency of the drive in Hz
-  angular_frequency              ω_d
-  natural_frequency              ω_n = √(k/m)
-  period                         natural period 2π/ω_n
-  mass, stiffness, friction, damping
-                                 m, k, r_y, c
-  friction_backward              r₋, where it was given (friction is then r₊)
-  friction_bound                 r_y = (r₊ + r₋)/2, where friction differs by direction
-  static_friction                r_s = η r_y, where it was given, or η r_y ± (r₊ − r₋)/2 where friction differs by direction
-  friction_coefficient           µ = r_y/(m g), where it was given
-  force_amplitude                amplitude p₀ of the force on the body
-  unbalance                      unbalance m_e e of the rotating mass
-  foot_displacement              amplitude of the spring's support
-  damped_foot_displacement       amplitude of the support of spring and damper
-  lead_time                      the time by which the force on the body is ahead of that support, atan(c ω_d/k)/ω_d
-  base_displacement, base_velocity, base_acceleration
-                                 amplitudes of a base that carries the surface
-  friction_displacement          B = r_y/k, the unit of length of the ratios
-  mean_force                     constant force p̄ on the body, where it was given (transmitted_force does not include it)
-  mean_displacement              (p̄ − (r₊ − r₋)/2)/k, from which displacements are measured, where p̄ or r₋ was given
-  displacement_time, velocity_time, …_time
+",
+    "  displacement_time, velocity_time, …_time
                                  the instant in the cycle of the force, phase/ω_d
   min_force, min_force_turning_point, best_force, no_stop_forces
                                  the force ratios of these names times r_y
@@ -135,7 +119,8 @@ For a machine, under physical, each with its unit
   damper_energy_per_cycle        energy that the damper dissipates, on a moving support by the velocity between body and support
   best_force_energy              friction's energy in a cycle at best_force
   followed_for                   time for which the exact motion was followed
-";
+",
+];
 
 /// The outputs of the motion under a record.
 const RECORD: &str = "\
@@ -200,7 +185,12 @@ pub(crate) fn text() -> String {
         }
         text.push('\n');
     }
-    text + RECORD + "\n" + PHYSICAL
+    let [drive, further] = PHYSICAL;
+    let _ = write!(text, "{RECORD}\n{drive}");
+    for Quantity { name, meaning, .. } in quantities::ALL {
+        let _ = writeln!(text, "  {name:<31}{meaning}");
+    }
+    text + further
 }
 
 /// `stickslip outputs`.

@@ -4,9 +4,10 @@ use crate::bits::Value;
 use crate::outputs::{Key, plain};
 use crate::row::{Cell, Number};
 use serde::ser::{Serialize, SerializeMap, Serializer};
-use stickslip::inputs::units::{Kind, System};
-use stickslip::inputs::{Driven, Given};
 use stickslip::{Excitation, Measure};
+use stickslip_front::inputs::units::{Kind, System};
+use stickslip_front::inputs::{Driven, Given};
+use stickslip_front::quantities;
 
 /// Values with their units.
 #[derive(Debug, Clone)]
@@ -72,8 +73,8 @@ impl<F: Value> Physical<F> {
 
     /// The machine and its drive: the given quantities and those that follow from them.
     pub(crate) fn of_machine(given: &Given<F>, machine: &Driven<F>) -> Self {
-        let quantities = given.quantities(machine).into_iter();
-        let values = quantities.map(|(name, kind, value)| (name, kind, Cell::Number(Some(value)))).collect();
+        let quantities = quantities::of_machine(given, machine).into_iter();
+        let values = quantities.map(|(own, value)| (own.name, own.kind, Cell::Number(Some(value)))).collect();
         Self { drive: Some(machine.drive.excitation().name()), values, ..Self::of(given.system) }
     }
 

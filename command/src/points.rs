@@ -17,8 +17,8 @@ use std::cell::RefCell;
 use std::io::{self, Read, Write};
 use std::path::Path;
 use std::time::{Duration, Instant};
-use stickslip::inputs::units::{Kind, Reader};
-use stickslip::inputs::{Given, Input, Point, Role};
+use stickslip_front::inputs::units::{Kind, Reader};
+use stickslip_front::inputs::{Given, Input, Point, Role};
 use stickslip_front::names::{is_misspelt, name_and_unit};
 
 /// The time after which answers are written, even if more are coming.

@@ -9,9 +9,9 @@ use crate::row::Cell;
 use crate::{input, output};
 use std::io::Write;
 use stickslip::Quantity;
-use stickslip::inputs::units::Kind;
-use stickslip::inputs::{Given, Input, Role};
 use stickslip::motion::Pull;
+use stickslip_front::inputs::units::Kind;
+use stickslip_front::inputs::{Given, Input, Role};
 
 pub(crate) fn run(args: &PullArgs, out: &mut impl Write) -> Outcome {
     at_bits!(args.answer.bits, respond(args: &PullArgs, out))

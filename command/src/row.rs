@@ -10,8 +10,9 @@ use crate::outputs::{ALPHA, DAMPING_RATIO, Key, OMEGA, STATIC_FRICTION_RATIO, pl
 use crate::physical::Physical;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::{self, Write};
-use stickslip::inputs::{Driven, Given, Point, Role};
-use stickslip::{Column, Measure, NoStop, Output, Ratios, Response, When};
+use stickslip::internal::{Column, When};
+use stickslip::{Measure, NoStop, Output, Ratios, Response};
+use stickslip_front::inputs::{Driven, Given, Point, Role};
 use stickslip_front::without::{is_of_friction, is_of_spring, needs_spring, without_friction};
 
 pub(crate) use cell::{Cell, Number};

@@ -6,9 +6,9 @@ use crate::failure::Failure;
 use crate::floor::Oscillators;
 use crate::{input, measured};
 use stickslip::Excitation;
-use stickslip::inputs::units::{Kind, Reader};
-use stickslip::inputs::{Given, Input, Role};
 use stickslip::motion::record::{Body, Record};
+use stickslip_front::inputs::units::{Kind, Reader};
+use stickslip_front::inputs::{Given, Input, Role};
 use stickslip_front::record::Summary;
 
 /// The body, the record and the start of a motion.
@@ -42,9 +42,8 @@ impl<F: Value> Shaken<F> {
         let surface = Surface::read(&args.surface, &reader)?;
         let start = surface.start(&reader, [args.x0.as_deref(), args.v0.as_deref()])?;
         let (record, summary) = measured::read::<F>(&args.file, &args.load, &reader)?;
-        // Where the mass cancels, it is a unit of mass.
-        let cancels =
-            record.excitation() != Excitation::Force && input::has_unit_mass(&args.machine, &mut given);
+        // From here on the mass is a unit of mass, where it cancels.
+        let cancels = record.excitation() != Excitation::Force && given.cancel_mass();
         let body = surface.body(&given)?;
         Ok(Self { given, body, record, summary, start, interval, floor, has_mass: !cancels })
     }
@@ -99,7 +98,7 @@ impl<F: Value> Surface<F> {
             let missing = given.missing(&Input::of_role(Role::Spring));
             return Err(format!("{missing}. A body without a spring has --no-spring").into());
         }
-        let body = Body::given(given, self.slope)?;
+        let body = given.body(self.slope)?;
         Ok(if self.is_one_way { body.one_way() } else { body })
     }
 }

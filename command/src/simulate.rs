@@ -19,9 +19,9 @@ use indicatif::ProgressDrawTarget;
 use std::f64::consts::TAU;
 use std::io::{IsTerminal, Write, stdout};
 use stickslip::Error;
-use stickslip::inputs::units::{Kind as Quantity, Reader, System};
-use stickslip::inputs::{Driven, Given, Input};
 use stickslip::motion::{DrivePhase, End, Instant, Kind, Segment, State, Trajectory};
+use stickslip_front::inputs::units::{Kind as Quantity, Reader, System};
+use stickslip_front::inputs::{Driven, Given, Input};
 
 /// The greatest number of segments or samples of a run: hours at some millions per second.
 const MOST_ROWS: f64 = 1e10;

@@ -20,9 +20,9 @@ use std::io::Write;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use stickslip::Error;
-use stickslip::inputs::units::{Kind, System};
-use stickslip::inputs::{Given, Input, Role};
 use stickslip::motion::record::{Body, Record as Load, RecordAnswer, follow_each};
+use stickslip_front::inputs::units::{Kind, System};
+use stickslip_front::inputs::{Given, Input, Role};
 
 /// The greatest number of bodies that are followed side by side.
 const SIDE_BY_SIDE: u64 = 16;

@@ -12,9 +12,9 @@ use std::fs::File;
 use std::io::{self, BufRead, BufReader, Write};
 use std::path::Path;
 use stickslip::Ratios;
-use stickslip::definitions::LIMIT;
-use stickslip::inputs::Given;
+use stickslip::internal::definitions::LIMIT;
 use stickslip::motion::{Attractors, LongRun, Signature, State, SteadyOutput, Trajectory};
+use stickslip_front::inputs::Given;
 
 /// The source of the rows, for error messages.
 const OF: &str = "these starts";

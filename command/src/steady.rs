@@ -9,10 +9,11 @@ use crate::points::AskedPoints;
 use crate::row::{Cells, Row};
 use crate::{enclose, input, interrupt, style};
 use std::io::{self, Write};
-use stickslip::inputs::units::Reader;
-use stickslip::inputs::{Given, Point};
 use stickslip::motion::{LongRun, Peaks, State, SteadyAnswer, SteadyState};
-use stickslip::{Error, Excitation, Measure, Quantity, words};
+use stickslip::{Error, Excitation, Measure, Quantity};
+use stickslip_front::inputs::units::Reader;
+use stickslip_front::inputs::{Given, Point};
+use stickslip_front::words;
 
 pub(crate) fn run(args: &SteadyArgs, out: &mut impl Write) -> Outcome {
     if args.enclose {
@@ -82,8 +83,8 @@ fn write_note<F: Value>(
     out: &mut impl Write,
 ) -> io::Result<()> {
     let mut note = Note::of(given, point.machine.as_ref(), out);
-    if let Some(base) = note.machine.and_then(|m| words::base_motion(m.drive.excitation())) {
-        writeln!(note.out, "Base motion {base}.")?;
+    if let Some(base) = note.machine.and_then(|m| words::base_motion_sentence(m.drive.excitation())) {
+        writeln!(note.out, "{base}")?;
     }
     measured_from(given, note.machine, note.out)?;
     let length = |x| note.both(Measure::Length, x).split_whitespace().collect::<Vec<_>>().join(" ");

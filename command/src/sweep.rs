@@ -4,6 +4,7 @@ pub(crate) mod loops;
 #[cfg(feature = "parquet")]
 mod parquet;
 pub(crate) mod rows;
+mod table;
 
 use crate::args::{Header, SweepArgs, SweepFormat, TableArgs};
 use crate::bits::{Value, at_bits};
@@ -11,12 +12,13 @@ use crate::failure::{Failure, Outcome};
 use crate::grid::Axes;
 use crate::output::Lines;
 use crate::resume;
-use crate::row::{Row, csv_text};
+use crate::row::csv_text;
 use rows::SweepRows;
 use std::io::Write;
 use std::ops::Range;
+pub(crate) use table::Table;
 #[cfg(feature = "parquet")]
-use stickslip::inputs::Input;
+pub(crate) use table::notes;
 
 /// The greatest number of points, as of the segments of `simulate`: hours at some millions per second.
 const MOST_ROWS: u64 = 10_000_000_000;
@@ -33,46 +35,6 @@ fn compute<F: Value>(args: &SweepArgs, out: &mut impl Write) -> Outcome {
         return Err(format!("{}: the grid must have ≤ {MOST_ROWS} points", names.join(" ")).into());
     }
     write_table(&args.table, format, &SweepRows::<F>::new(args, axes)?, out)
-}
-
-/// Rows of many columns, each computed from its number alone.
-pub(crate) trait Table: Sync {
-    /// The source of the rows, for error messages.
-    fn of(&self) -> &'static str;
-
-    /// The number of rows.
-    fn len(&self) -> u64;
-
-    /// A row without its answers, with the names of all rows.
-    fn form(&self) -> &Row;
-
-    /// The first rows of a range, at least one.
-    fn rows(&self, points: Range<u64>) -> Vec<Result<Row, Failure>>;
-
-    /// A row.
-    fn row(&self, point: u64) -> Result<Row, Failure> {
-        self.rows(point..point + 1).pop().unwrap_or(Err(Failure::Interrupted))
-    }
-
-    /// As [`resume::Rows::hold_their_grid`].
-    fn hold_their_grid(&self) -> bool;
-
-    /// As [`resume::Rows::is_on_grid`], for a row of CSV or of JSON lines.
-    fn is_on_grid(&self, line: &[u8], point: u64, is_csv: bool) -> Result<bool, Failure>;
-
-    /// What identifies the table, by name.
-    #[cfg(feature = "parquet")]
-    fn notes(&self) -> Vec<(String, String)>;
-}
-
-/// The typed inputs, and what else identifies a table, by name.
-#[cfg(feature = "parquet")]
-pub(crate) fn notes<const N: usize>(
-    typed: &[(Input, String)],
-    others: [(&str, Option<String>); N],
-) -> Vec<(String, String)> {
-    let typed = typed.iter().map(|(input, text)| (input.column(), text.clone()));
-    typed.chain(others.into_iter().filter_map(|(key, value)| Some((key.to_owned(), value?)))).collect()
 }
 
 /// The rows of a table as text.

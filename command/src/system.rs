@@ -1,5 +1,6 @@
 //! `stickslip system`: several bodies with contacts, elastic contacts and stops.
 
+mod options;
 mod picture;
 mod sketch;
 mod table;
@@ -11,17 +12,17 @@ use crate::figure::Target;
 use crate::interrupt;
 use crate::measured::Described as OfRecord;
 use crate::output::{self, PendingFile};
-use crate::progress;
 use crate::row::{Cell, Cells};
 use crate::rows;
 use crate::sink::Sink;
+use options::{folder, is_json, note_of_units, path_and_value};
 use serde_json::Value;
 use std::io::{Read, Write};
 use std::path::Path;
-use stickslip::inputs::units::{Kind as Of, System as Units};
 use stickslip::motion::record::Record;
 use stickslip::system::State;
-use stickslip_figures::Figure;
+use stickslip_draw::Figure;
+use stickslip_front::inputs::units::Kind as Of;
 use stickslip_front::record::Summary;
 use stickslip_front::system::{Answer, LONGEST, NamedSystem, OfBorder, Samples, decoded, parsed};
 
@@ -61,11 +62,6 @@ fn read(file: &Path) -> Result<Value, Failure> {
     Ok(parsed(&decoded(bytes, &name)?, &name)?)
 }
 
-/// The folder that names of files in the file are relative to.
-fn folder(args: &SystemArgs) -> &Path {
-    args.file.parent().unwrap_or(Path::new(""))
-}
-
 /// A record, and what was read of its file.
 type Shaking = (Summary, Record<f64>);
 
@@ -85,20 +81,6 @@ fn named(value: &Value, args: &SystemArgs) -> Result<(NamedSystem, Option<Shakin
     };
     found.system = found.system.while_allowed(interrupt::keep_going);
     Ok((found, read))
-}
-
-/// Says in which units a record is beside matrices that name none.
-fn note_of_units(units: Option<&Units>, record: &str) {
-    if units.is_none() {
-        progress::note(&format!(
-            "{record}: taken in m/s² beside the matrices; units = \"N,mm\" in their file names other units"
-        ));
-    }
-}
-
-/// The two parts of `PATH=VALUE`.
-fn path_and_value(text: &str) -> Result<(&str, &str), Failure> {
-    Ok(text.split_once('=').ok_or_else(|| format!("--set {text}: must be PATH=VALUE"))?)
 }
 
 /// Refuses an option that the question does not use.
@@ -173,10 +155,6 @@ fn describe(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Write) -> Out
         })?;
     }
     words::describe(asked, args, out)
-}
-
-fn is_json(args: &SystemArgs) -> Result<bool, Failure> {
-    args.format.unwrap_or(Format::Text).is_json("system")
 }
 
 /// The end of the motion: `--until`, a time or a value that is passed, or the end of the records.

@@ -17,9 +17,9 @@ use crate::sink::Sink;
 use serde::Serialize;
 use std::io::Write;
 use std::path::Path;
-use stickslip::inputs::units::{Kind, System};
 use stickslip::motion::record::{Entry, Record, RecordAnswer, RecordMotion, RecordState};
-use stickslip_figures::{Axis, Figure, Panel, Series, Style};
+use stickslip_draw::{Axis, Figure, Panel, Series, Style};
+use stickslip_front::inputs::units::{Kind, System};
 
 pub(crate) fn run(args: &RecordArgs, out: &mut impl Write) -> Outcome {
     if args.enclose {

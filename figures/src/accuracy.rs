@@ -1,7 +1,8 @@
 //! The digits lost near Ω = 1 by the formulae as written.
 
-use super::{Axis, Figure, Panel, Series, Style, evenly};
+use crate::shared::evenly;
 use stickslip::{Border, Cycle, Error, Field, Float, PhaseFunction, Ratios};
+use stickslip_draw::{Axis, Figure, Panel, Series, Style};
 
 const ALPHA: f64 = 2.0;
 

@@ -1,8 +1,9 @@
 //! The minimum force ratio without sticking: figure 8, and the neighbourhood of the poles 1/3 and 1/5, where the body never
 //! stops.
 
-use super::{Axis, Figure, Panel, Series, Style, evenly, settled};
+use crate::shared::{evenly, of_frequency_ratio, settled};
 use stickslip::{Border, NoStop, Ratios};
+use stickslip_draw::{Axis, Figure, Panel, Series, Style};
 
 /// The exact border, eq. 61, and the points where the exact motion has no stop.
 pub(super) fn least_force() -> Figure {
@@ -23,7 +24,7 @@ pub(super) fn least_force() -> Figure {
         "Least force ratio without sticking",
         "Minimum force ratio without sticking: eq. 61 (thin), and exact below Ω = 1/2 (thick). \
             Dots: points without a stop in the exact motion.",
-        Axis::frequency_ratio(0.15, 2.0),
+        of_frequency_ratio(0.15, 2.0),
         Axis::linear("force ratio α = p₀/r_y", 0.0, 16.0),
         series,
     )
@@ -70,7 +71,7 @@ fn panel(pole: f64, (from, to): (f64, f64), (low, high): (f64, f64)) -> Panel {
     };
     Panel::new(
         format!("beside Ω = 1/{pole}"),
-        Axis::frequency_ratio(from, to),
+        of_frequency_ratio(from, to),
         Axis::logarithmic("force ratio α = p₀/r_y", low, high),
         vec![
             Series::new("two reversals", Style::Dots, 5, dots(2)),

@@ -1,8 +1,9 @@
 //! The effect of viscous damping on the response curve, the border, and the time at rest.
 
-use super::{Axis, Figure, Panel, Series, Style, evenly};
+use crate::shared::{evenly, of_frequency_ratio};
 use stickslip::motion::{LongRun, State, SteadyState};
 use stickslip::{Border, Ratios};
+use stickslip_draw::{Axis, Figure, Panel, Series, Style};
 use stickslip_front::curve::resonant;
 
 /// The damping ratios.
@@ -22,19 +23,19 @@ pub(super) fn four_ratios() -> Figure {
         vec![
             Panel::new(
                 "peak displacement at α = 2.5",
-                Axis::frequency_ratio(0.2, 2.0),
+                of_frequency_ratio(0.2, 2.0),
                 Axis::logarithmic("k Δ₀/p₀", 0.1, 30.0),
                 with_arrowheads(each(|zeta| curve(zeta, (0.2, 2.0), amplitude)), &[1.0]),
             ),
             Panel::new(
                 "least force without sticking",
-                Axis::frequency_ratio(0.15, 2.0),
+                of_frequency_ratio(0.15, 2.0),
                 Axis::logarithmic("force ratio α = p₀/r_y", 1.0, 300.0),
                 with_arrowheads(each(border), &POLES),
             ),
             Panel::new(
                 "rest at α = 2.5",
-                Axis::frequency_ratio(0.1, 1.0),
+                of_frequency_ratio(0.1, 1.0),
                 Axis::linear("part of the cycle at rest", 0.0, 0.8),
                 each(|zeta| curve(zeta, (0.1, 1.0), |it| it.stick_fraction)),
             ),

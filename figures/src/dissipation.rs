@@ -1,7 +1,8 @@
 //! Figures 9 and 10: the size of the dissipation loop.
 
-use super::{Axis, Figure, Series, Style, evenly, inverse_force_ratios, of_cycle};
+use crate::shared::{evenly, inverse_force_ratios, of_cycle, of_frequency_ratio};
 use stickslip::{Cycle, Ratios, Response};
+use stickslip_draw::{Axis, Figure, Series, Style};
 use stickslip_front::curve::resonant;
 
 /// The response at Ω; only answers that depend on Ω alone are used.
@@ -46,7 +47,7 @@ pub(super) fn best_force() -> Figure {
         "Best force ratio for dissipation",
         "Force ratio α of the largest loop size A₁: eq. 65 where that motion does not stick; elsewhere the \
          border (dashed).",
-        Axis::frequency_ratio(0.2, 2.0),
+        of_frequency_ratio(0.2, 2.0),
         Axis::linear("best force ratio α", 0.0, 16.0),
         series,
     )
@@ -64,7 +65,7 @@ pub(super) fn largest_loop() -> Figure {
         "Largest dissipation loop",
         "The largest loop size A₁ without sticking: eq. 66, or where its motion would stick A₁ on the border \
          (dashed). At Ω = 1 it has no bound (arrowhead).",
-        Axis::frequency_ratio(0.2, 2.0),
+        of_frequency_ratio(0.2, 2.0),
         Axis::logarithmic("largest loop size A₁", 0.1, 1000.0),
         series,
     )
@@ -104,7 +105,7 @@ pub(super) fn loop_by_frequency() -> Figure {
         "Dissipation against stiffness",
         "Loop size A₂ for 1/α = 0.1 … 0.5 without sticking, at a given mass, force and frequency. \
             Arrowhead: unbounded at Ω = 1.",
-        Axis::frequency_ratio(0.2, 2.0),
+        of_frequency_ratio(0.2, 2.0),
         Axis::logarithmic("loop size A₂", 0.01, 1000.0),
         inverse_force_ratios(5).map(curve).chain([Series::unbounded([1.0])]).collect(),
     )

@@ -1,8 +1,9 @@
 //! The rate at which a disturbance decays.
 
-use super::{Axis, Figure, Panel, Series, Style, evenly, inverse_force_ratios};
+use crate::shared::{evenly, inverse_force_ratios, of_frequency_ratio};
 use stickslip::cycle::Multipliers;
 use stickslip::{Cycle, Ratios};
+use stickslip_draw::{Axis, Figure, Panel, Series, Style};
 
 /// The contraction per cycle over Ω, and the multipliers per half cycle in the complex plane.
 pub(super) fn of_the_cycle() -> Figure {
@@ -35,7 +36,7 @@ pub(super) fn of_the_cycle() -> Figure {
         vec![
             Panel::new(
                 "contraction per cycle",
-                Axis::frequency_ratio(0.2, 2.0),
+                of_frequency_ratio(0.2, 2.0),
                 Axis::linear("contraction max |λ|²", 0.0, 1.1),
                 inverse_force_ratios(6).map(contraction).collect(),
             ),

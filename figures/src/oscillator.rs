@@ -1,7 +1,8 @@
 //! Figure 1: the oscillator and its law of friction.
 
 use super::portrait::samples;
-use super::{Axis, Figure, Panel, Series, Style, settled};
+use crate::shared::settled;
+use stickslip_draw::{Axis, Figure, Panel, Series, Style};
 
 /// The oscillator of eq. 1, and the friction force over the velocity with points of a motion that sticks.
 pub(super) fn with_friction() -> Figure {

@@ -1,8 +1,9 @@
 //! Motions in the phase plane: two with their transients, and figure 2, a cycle without stops.
 
-use super::{Axis, Figure, Panel, Series, Style, settled};
+use crate::shared::settled;
 use stickslip::motion::{Instant, Kind, State, Trajectory};
 use stickslip::{Cycle, Ratios};
+use stickslip_draw::{Axis, Figure, Panel, Series, Style};
 
 /// A motion without stops, with the points of figure 2, and one that sticks, each with its transient from
 /// rest.

@@ -1,9 +1,10 @@
 //! Figures 4 to 7: peak displacement, phases and peak velocity.
 
-use super::{Axis, Figure, Panel, Series, Style, evenly, from_rest, inverse_force_ratios, of_cycle};
+use crate::shared::{evenly, from_rest, inverse_force_ratios, of_cycle, of_frequency_ratio};
 use stickslip::Cycle;
 use stickslip::cycle::printed;
 use stickslip::motion::{LongRun, SteadyState};
+use stickslip_draw::{Axis, Figure, Panel, Series, Style};
 use stickslip_front::curve::resonant;
 
 /// Ω from 0.1025 to 2, 0.005 apart: between the frequencies 1/n, where the motion depends on its start.
@@ -67,7 +68,7 @@ pub(super) fn max_displacement() -> Figure {
         "Peak displacement",
         "Peak displacement Δ₀/B: exact (lines) and eq. 44 (marks). Left of its first mark, a line \
             has stops. Arrowhead: unbounded at Ω = 1.",
-        Axis::frequency_ratio(0.0, 2.0),
+        of_frequency_ratio(0.0, 2.0),
         Axis::logarithmic("peak displacement Δ₀/B", 0.1, 1000.0),
         series,
     )
@@ -78,7 +79,7 @@ pub(super) fn phases() -> Figure {
     let panel = |title: &str, value| {
         Panel::new(
             title,
-            Axis::frequency_ratio(0.3, 2.0),
+            of_frequency_ratio(0.3, 2.0),
             Axis::linear("phase (rad)", 0.0, 5.0),
             closed_curves(value),
         )
@@ -107,7 +108,7 @@ pub(super) fn deviation() -> Figure {
         "Displacement at the peak velocity",
         "Displacement Δ₁/B at the peak velocity, without sticking. It grows with α for 1/2 < Ω < \
             1, and tends to zero above 1.",
-        Axis::frequency_ratio(0.0, 2.0),
+        of_frequency_ratio(0.0, 2.0),
         Axis::linear("deviation Δ₁/B", 0.0, 2.5),
         closed_curves(|c| c.deviation()),
     )
@@ -127,7 +128,7 @@ pub(super) fn max_velocity() -> Figure {
         "Peak velocity",
         "Peak velocity V₀/(Bω_d): exact (lines), eq. 49 corrected (marks) and as printed \
             (dashed), which is too large above Ω = 1.",
-        Axis::frequency_ratio(0.0, 2.0),
+        of_frequency_ratio(0.0, 2.0),
         Axis::logarithmic("peak velocity V₀/(Bω_d)", 0.1, 1000.0),
         series,
     )

@@ -1,8 +1,9 @@
 //! A map of the number of stops per cycle over Ω and α.
 
-use super::{Axis, Figure, Panel, Plane, Scale, Series, Style, evenly, from_rest};
+use crate::shared::{evenly, from_rest, of_frequency_ratio};
 use stickslip::Border;
 use stickslip::motion::LongRun;
+use stickslip_draw::{Axis, Figure, Panel, Plane, Scale, Series, Style};
 
 /// Names of the numbers of stops, from light to dark: as in all figures, the lightest colour means no stop,
 /// and the darkest means rest.
@@ -26,7 +27,7 @@ pub(super) fn per_cycle() -> Figure {
         vec![
             Panel::new(
                 "",
-                Axis::frequency_ratio(0.05, 1.5),
+                of_frequency_ratio(0.05, 1.5),
                 Axis::linear("force ratio α = p₀/r_y", 0.0, 8.0),
                 vec![Series::new("exact border α_min", Style::Thick, 0, border)],
             )

@@ -1,8 +1,9 @@
 //! Figure 3: the error measures of section 3.
 
-use super::{Axis, Figure, Panel, Series, Style, evenly};
+use crate::shared::{evenly, of_frequency_ratio};
 use stickslip::Ratios;
 use stickslip::motion::{ErrorMeasures, LongRun, State, errors_after};
+use stickslip_draw::{Axis, Figure, Panel, Series, Style};
 
 /// The number of cycles from rest before the motion is measured; the paper does not state it.
 const CYCLES: u32 = 20;
@@ -33,7 +34,7 @@ pub(super) fn errors() -> Figure {
                 points(|p| p.settled),
             ));
         }
-        Panel::new(title, Axis::frequency_ratio(0.6, 2.0), Axis::logarithmic("error", 1e-17, 1.0), series)
+        Panel::new(title, of_frequency_ratio(0.6, 2.0), Axis::logarithmic("error", 1e-17, 1.0), series)
     };
     Figure::new(
         "3",

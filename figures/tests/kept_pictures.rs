@@ -8,7 +8,8 @@ mod kept;
 use kept::Kept;
 use std::fmt::Write;
 use stickslip::{Border, Cycle, Ratios};
-use stickslip_figures::{Figure, NAMES, Series, Style, figure};
+use stickslip_draw::{Figure, Series, Style};
+use stickslip_figures::{NAMES, figure};
 
 fn all() -> impl Iterator<Item = Figure> {
     NAMES.into_iter().map(|name| figure(name).unwrap())
@@ -297,7 +298,7 @@ fn figure_8_has_a_dot_wherever_alpha_is_above_the_exact_border() {
 #[test]
 fn a_png_is_drawn_with_its_words() {
     use resvg::tiny_skia::Pixmap;
-    use stickslip_figures::png_of_svg;
+    use stickslip_draw::png_of_svg;
     let figure = figure("9a").unwrap();
     let svg = figure.svg().unwrap();
     let pixels = Pixmap::decode_png(&png_of_svg(&svg, 800).unwrap()).unwrap();
@@ -323,7 +324,7 @@ fn a_png_is_drawn_with_its_words() {
 #[test]
 fn a_pdf_is_a_page_of_outlines() {
     use std::io::Read;
-    use stickslip_figures::pdf_of_svg;
+    use stickslip_draw::pdf_of_svg;
     let figure = figure("9a").unwrap();
     let page = pdf_of_svg(&figure.svg_of_size((600, 400)).unwrap()).unwrap();
     let place = |part: &[u8]| page.windows(part.len()).position(|own| own == part).unwrap();

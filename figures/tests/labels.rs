@@ -3,7 +3,8 @@
 #[path = "../../tests/text_boxes/mod.rs"]
 mod text_boxes;
 
-use stickslip_figures::{Axis, Figure, NAMES, Panel, Series, Style, figure};
+use stickslip_draw::{Axis, Figure, Panel, Series, Style};
+use stickslip_figures::{NAMES, figure};
 
 /// The least size of a picture, from the message that names it.
 fn least(figure: &Figure) -> (u32, u32) {

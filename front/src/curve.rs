@@ -10,6 +10,10 @@ const PROBES: u32 = 512;
 const PER_PERIOD: f64 = 24.0;
 const SLOWEST: f64 = 0.03;
 
+/// The kinds of steady motion of a system that have a height: one that has not settled has none of its own, and its scatter has no end
+/// of peaks.
+pub const SETTLED: [&str; 3] = ["periodic", "rest", "uniform"];
+
 /// The reason why a frequency is in a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Source {

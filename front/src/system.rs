@@ -16,7 +16,7 @@ mod sentence;
 mod signals;
 mod unique;
 
-pub use answer::{Answer, OfBorder, Samples, Units, kind_of};
+pub use answer::{Answer, OfBorder, Samples, Units, is_hard, kind_of};
 pub use built::NamedSystem;
 pub use described::Described;
 pub use description::{Description, OfElement, OfSliding, OfThreshold};

@@ -1,7 +1,7 @@
 //! Arbitrary bytes as the file of a record or of a system: a record of finite samples in order, a system with natural
 //! frequencies, or one line that says what is wrong.
 use std::path::Path;
-use stickslip::inputs::units::Reader;
+use stickslip_front::inputs::units::Reader;
 use stickslip_front::record::{Options, Words, read};
 use stickslip_front::system::{Description, NamedSystem, parsed};
 

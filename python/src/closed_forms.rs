@@ -9,8 +9,9 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::sync::LazyLock;
 use stickslip::batch::Batch;
-use stickslip::definitions::REGIME;
-use stickslip::{Error, Excitation, NoStop, Output, Ratios, Regime, Response, ResponseAnswer, Value};
+use stickslip::internal::definitions::REGIME;
+use stickslip::internal::{ResponseAnswer, Value};
+use stickslip::{Error, Excitation, NoStop, Output, Ratios, Regime, Response};
 
 /// Points per task: enough work to justify a task, and little enough to check for signals between tasks.
 const TASK: usize = 1 << 13;

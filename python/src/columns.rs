@@ -8,7 +8,8 @@ use numpy::PyReadwriteArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::sync::Arc;
-use stickslip::{Definition, Error, Value};
+use stickslip::internal::Value;
+use stickslip::{Definition, Error};
 
 /// Words by their codes; the last is for points outside the domain.
 type Words = &'static [&'static str];

@@ -12,8 +12,9 @@ use stickslip::design::{
     self, Aim, AmplitudeKind, Edge, Holding, Measurement, OptimumKind, PhaseKind, Reading, TurningPoints,
 };
 use stickslip::uncertainty::Estimate;
-use stickslip::{Drive, Error, Excitation, Oscillator, inputs};
+use stickslip::{Drive, Error, Excitation, Oscillator};
 use stickslip_figures as figures;
+use stickslip_front::inputs;
 
 /// A question of design about one body under one drive, with an answer in a few numbers.
 #[derive(Clone, Copy)]

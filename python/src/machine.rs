@@ -7,10 +7,11 @@ use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::collections::HashMap;
-use stickslip::inputs::units::{InputError, Kind, Reader, System};
-use stickslip::inputs::{Given, Input, Naming, Role, critical_damping, in_place_of_zeros};
-use stickslip::motion::{SteadyOutput, record};
-use stickslip::{Drive, Error, Excitation, Measure, Oscillator, Output, Ratios, Scales, definitions};
+use stickslip::internal::definitions;
+use stickslip::motion::SteadyOutput;
+use stickslip::{Drive, Error, Excitation, Measure, Oscillator, Output, Ratios, Scales};
+use stickslip_front::inputs::units::{InputError, Kind, Reader, System};
+use stickslip_front::inputs::{Given, Input, Naming, Role, critical_damping, in_place_of_zeros};
 
 /// Mass, stiffness, friction force of forward motion, that of backward motion (NaN if equal), damping
 /// constant and static friction ratio.
@@ -64,7 +65,7 @@ fn of_given(given: &Given<f64>) -> Result<(Body, f64), InputError> {
     let backward = given.get(Input::FrictionBackward).unwrap_or(f64::NAN);
     let body = if given.is_without_spring() || forward == 0.0 && given.has_role(Role::Spring) {
         // Without friction or a spring: what needs them refuses the body, or puts in their place what cannot be seen.
-        let body = record::Body::given(given, None)?;
+        let body = given.body(None)?;
         (body.mass(), body.stiffness(), forward, backward, body.damping(), body.static_friction_ratio())
     } else {
         let body = given.oscillator()?;

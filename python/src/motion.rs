@@ -10,12 +10,14 @@ use core::ops::ControlFlow;
 use interrupt::{Stop, interruptible};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use rayon::prelude::*;
 use std::sync::LazyLock;
-use stickslip::definitions::{ERROR_1, ERROR_2, ERROR_3, ERROR_4, LIMIT};
+use stickslip::internal::definitions::{ERROR_1, ERROR_2, ERROR_3, ERROR_4, LIMIT};
+use stickslip::internal::{Observed, Value, observed};
 use stickslip::motion::{
     self, DEFAULT_BUDGET, End, FreeDecay, LongRun, State, SteadyAnswer, SteadyOutput, SteadyState, Trajectory,
 };
-use stickslip::{Definition, Error, Excitation, Observed, Ratios, Value, observed};
+use stickslip::{Definition, Error, Excitation, Ratios};
 
 /// The maximum number of rows of a simulation, which memory limits.
 const MOST_ROWS: usize = 1 << 28;
@@ -242,8 +244,8 @@ fn fill(
 /// complete.
 #[pyfunction]
 fn phases(py: Python<'_>, point: Point, start: Start, cycles: f64) -> PyResult<Bound<'_, PyDict>> {
-    let until = last_phase(start.0, cycles)?;
-    let motion = trajectory(point, start)?;
+    let until = last_phase(start.0, cycles).map_err(refused)?;
+    let motion = trajectory(point, start).map_err(refused)?;
     let work = |stop: &Stop| -> Result<Table, String> {
         let mut kinds: Vec<u8> = Vec::new();
         let mut ends: Vec<u8> = Vec::new();
@@ -315,48 +317,106 @@ fn samples(
     per_cycle: u32,
     whole_turns: bool,
 ) -> PyResult<Bound<'_, PyDict>> {
-    use core::f64::consts::{PI, TAU};
-    let first = if whole_turns { TAU * (start.0 / TAU).ceil() } else { start.0 };
-    let until = last_phase(first, cycles)?;
-    let motion = trajectory(point, start)?.samples(per_cycle).map_err(refused)?;
-    // The start is the first sample, wherever it is.
-    let mut motion = if whole_turns { motion } else { motion.from_start() };
-    if cycles * f64::from(per_cycle) > MOST_ROWS as f64 {
+    let work = |stop: &Stop| sampled(point, start, cycles, per_cycle, whole_turns, stop);
+    let columns = interruptible(py, work)?.map_err(refused)?;
+    tabled(columns).into_dict(py)
+}
+
+const SAMPLED: [&str; 4] = ["phase", "displacement", "velocity", "friction"];
+
+fn tabled(columns: [Vec<f64>; 4]) -> Table {
+    let mut table = Table::default();
+    for (name, column) in SAMPLED.into_iter().zip(columns) {
+        table.number(name, column);
+    }
+    table
+}
+
+/// The samples of the motions at `n` points, which start at one phase: a row for each point, and the phases of one row. A point outside the domain
+/// has NaN.
+#[pyfunction]
+#[allow(clippy::too_many_arguments, reason = "the points, the start and the samples")]
+fn samples_of_each<'py>(
+    py: Python<'py>,
+    points: [Given<'py>; 4],
+    n: usize,
+    phase: f64,
+    start: [Given<'py>; 2],
+    cycles: f64,
+    per_cycle: u32,
+) -> PyResult<Bound<'py, PyDict>> {
+    let points = Points::of(&points, n)?;
+    let [x, v] = &start;
+    let (x, v) = (Values::of(x)?, Values::of(v)?);
+    let rows = (cycles * f64::from(per_cycle)).max(1.0);
+    if rows * n as f64 > MOST_ROWS as f64 {
         return Err(refused(format!(
             "cycles {cycles:?}, samples {per_cycle}: more than {MOST_ROWS} samples"
         )));
     }
-    let work = |stop: &Stop| -> Result<Table, String> {
-        let mut columns: [Vec<f64>; 4] = Default::default();
-        // A tolerance of half a step keeps the first and the last sample of whole cycles in spite of rounding.
-        let half_step = PI / f64::from(per_cycle);
-        while let Some(instant) = motion.next_while(|| stop.asked()) {
-            let instant = match instant {
-                Ok(instant) => instant,
-                Err(Error::Interrupted) => break,
-                Err(error) => return Err(error.to_string()),
-            };
-            let phase = total(instant.state.phase);
-            if phase > until + half_step || stop.asked().is_break() {
-                break;
+    let work = |stop: &Stop| -> Result<[Vec<f64>; 4], String> {
+        // The phases of the samples are those of any motion.
+        let [phases, ..] = sampled((1.0, 1.0, 0.0, 1.0), (phase, 0.0, 0.0), cycles, per_cycle, false, stop)?;
+        let nothing = || Ok([(); 4].map(|()| vec![f64::NAN; phases.len()]));
+        let row = |i: usize| {
+            let Some(((point, x), v)) = points.at(i).zip(x.at(i)).zip(v.at(i)) else { return nothing() };
+            let is_valid = ratios(point).is_ok() && State::new(phase, x, v).is_ok();
+            if !is_valid || stop.asked().is_break() {
+                return nothing();
             }
-            if phase < first - half_step {
-                continue;
-            }
-            let phase = if whole_turns { phase - first } else { phase };
-            for (column, value) in
-                columns.iter_mut().zip([phase, instant.state.x, instant.state.v, instant.friction])
-            {
-                column.push(value);
-            }
-        }
-        let mut table = Table::default();
-        for (name, column) in ["phase", "displacement", "velocity", "friction"].into_iter().zip(columns) {
-            table.number(name, column);
-        }
-        Ok(table)
+            sampled(point, (phase, x, v), cycles, per_cycle, false, stop)
+        };
+        let found: Vec<_> = (0..n).into_par_iter().map(row).collect::<Result<_, String>>()?;
+        let column =
+            |place: usize| found.iter().filter_map(|row| row.get(place)).flatten().copied().collect();
+        let (x, v, friction) = (column(1), column(2), column(3));
+        Ok([phases, x, v, friction])
     };
-    interruptible(py, work)?.map_err(refused)?.into_dict(py)
+    tabled(interruptible(py, work)?.map_err(refused)?).into_dict(py)
+}
+
+/// The samples of a motion: phases, displacements, velocities and friction.
+fn sampled(
+    point: Point,
+    start: Start,
+    cycles: f64,
+    per_cycle: u32,
+    whole_turns: bool,
+    stop: &Stop,
+) -> Result<[Vec<f64>; 4], String> {
+    use core::f64::consts::{PI, TAU};
+    let first = if whole_turns { TAU * (start.0 / TAU).ceil() } else { start.0 };
+    let until = last_phase(first, cycles)?;
+    let motion = trajectory(point, start)?.samples(per_cycle).map_err(|e| e.to_string())?;
+    // The start is the first sample, wherever it is.
+    let mut motion = if whole_turns { motion } else { motion.from_start() };
+    if cycles * f64::from(per_cycle) > MOST_ROWS as f64 {
+        return Err(format!("cycles {cycles:?}, samples {per_cycle}: more than {MOST_ROWS} samples"));
+    }
+    let mut columns: [Vec<f64>; 4] = Default::default();
+    // A tolerance of half a step keeps the first and the last sample of whole cycles in spite of rounding.
+    let half_step = PI / f64::from(per_cycle);
+    while let Some(instant) = motion.next_while(|| stop.asked()) {
+        let instant = match instant {
+            Ok(instant) => instant,
+            Err(Error::Interrupted) => break,
+            Err(error) => return Err(error.to_string()),
+        };
+        let phase = total(instant.state.phase);
+        if phase > until + half_step || stop.asked().is_break() {
+            break;
+        }
+        if phase < first - half_step {
+            continue;
+        }
+        let phase = if whole_turns { phase - first } else { phase };
+        for (column, value) in
+            columns.iter_mut().zip([phase, instant.state.x, instant.state.v, instant.friction])
+        {
+            column.push(value);
+        }
+    }
+    Ok(columns)
 }
 
 /// A state on the limit cycle that a start leads to, and the turns of the drive in a cycle; `None` where the motion tends to
@@ -379,15 +439,15 @@ fn on_limit(
     Ok(found.limit.steady_state().map(of))
 }
 
-fn trajectory(point: Point, (phase, x, v): Start) -> PyResult<Trajectory<f64>> {
-    let ratios = ratios(point).map_err(refused)?;
-    Trajectory::new(ratios, State::new(phase, x, v).map_err(refused)?).map_err(refused)
+fn trajectory(point: Point, (phase, x, v): Start) -> Result<Trajectory<f64>, String> {
+    let start = ratios(point).and_then(|ratios| Ok((ratios, State::new(phase, x, v)?)));
+    start.and_then(|(ratios, state)| Trajectory::new(ratios, state)).map_err(|e| e.to_string())
 }
 
 /// The phase `cycles` drive cycles after the start.
-fn last_phase(start: f64, cycles: f64) -> PyResult<f64> {
+fn last_phase(start: f64, cycles: f64) -> Result<f64, String> {
     if !(cycles.is_finite() && cycles > 0.0) {
-        return Err(refused(format!("cycles = {cycles} must be > 0 and finite")));
+        return Err(format!("cycles = {cycles} must be > 0 and finite"));
     }
     Ok(start + cycles * core::f64::consts::TAU)
 }
@@ -397,24 +457,40 @@ fn total(phase: stickslip::motion::DrivePhase<f64>) -> f64 {
     core::f64::consts::TAU * phase.cycles() as f64 + phase.reduced()
 }
 
-/// Free vibration to rest.
+/// Free vibrations to rest from `n` starts: displacement, velocity, damping ratio and static friction ratio. A start outside the domain is an
+/// error where it is the only one, and has NaN otherwise.
 #[pyfunction]
-fn decay_at(
-    py: Python<'_>,
-    displacement: f64,
-    velocity: f64,
-    damping_ratio: f64,
-    static_friction_ratio: f64,
-) -> PyResult<Bound<'_, PyDict>> {
-    let decay =
-        FreeDecay::new(displacement, velocity, damping_ratio, static_friction_ratio).map_err(refused)?;
-    let dict = PyDict::new(py);
-    dict.set_item("half_cycles", decay.half_cycles)?;
-    dict.set_item("first_turn", decay.first_turn)?;
-    dict.set_item("rest_position", decay.rest_position)?;
-    dict.set_item("path", decay.path())?;
-    dict.set_item("rest_time", Some(decay.rest_time).filter(|time| time.is_finite()).unwrap_or(f64::NAN))?;
-    Ok(dict)
+fn decays<'py>(
+    py: Python<'py>,
+    starts: [Given<'py>; 4],
+    n: usize,
+    is_one: bool,
+) -> PyResult<Bound<'py, PyDict>> {
+    let points = Points::of(&starts, n)?;
+    let one = |i: usize| {
+        let (x, v, damping_ratio, static_friction_ratio) = points.at(i)?;
+        Some(FreeDecay::new(x, v, damping_ratio, static_friction_ratio))
+    };
+    if is_one && let Some(Err(error)) = one(0) {
+        return Err(refused(error));
+    }
+    let found: Vec<[f64; 5]> = interruptible(py, |stop| {
+        let row = |i: usize| match one(i).filter(|_| stop.asked().is_continue()) {
+            Some(Ok(decay)) => {
+                let time = Some(decay.rest_time).filter(|time| time.is_finite()).unwrap_or(f64::NAN);
+                let path = decay.path();
+                [decay.half_cycles as f64, decay.first_turn, decay.rest_position, path, time]
+            }
+            _ => [f64::NAN; 5],
+        };
+        (0..n).into_par_iter().map(row).collect()
+    })?;
+    let mut table = Table::default();
+    let names = ["half_cycles", "first_turn", "rest_position", "path", "rest_time"];
+    for (place, name) in names.into_iter().enumerate() {
+        table.number(name, found.iter().filter_map(|row| row.get(place)).copied().collect());
+    }
+    table.into_dict(py)
 }
 
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
@@ -425,6 +501,7 @@ pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(steady_into, module)?)?;
     module.add_function(wrap_pyfunction!(phases, module)?)?;
     module.add_function(wrap_pyfunction!(samples, module)?)?;
+    module.add_function(wrap_pyfunction!(samples_of_each, module)?)?;
     module.add_function(wrap_pyfunction!(on_limit, module)?)?;
-    module.add_function(wrap_pyfunction!(decay_at, module)?)
+    module.add_function(wrap_pyfunction!(decays, module)?)
 }

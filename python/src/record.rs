@@ -10,11 +10,11 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::prelude::*;
 use std::fs::File;
-use std::io::BufReader;
-use stickslip::inputs::units::{InputError, Kind, Reader, System};
-use stickslip::inputs::{Given, Role};
+use std::io::{BufReader, Read};
 use stickslip::motion::record::{After, Body, Entry, FloorResponse, Record, RecordAnswer, follow_each_while};
 use stickslip::{Error, Excitation};
+use stickslip_front::inputs::units::{InputError, Kind, Reader, System};
+use stickslip_front::inputs::{Given, Role};
 use stickslip_front::record::{self as front, Options, Words};
 
 /// Mass, stiffness, damping constant, friction against forward and against backward motion, static friction ratio,
@@ -72,6 +72,21 @@ pub(crate) fn load(of: &str, times: &[f64], samples: &[f64], after: Option<&str>
 /// the summary.
 type FileRead<'py> = ((&'static str, Vec<f64>, Vec<f64>, &'static str), Bound<'py, PyDict>);
 
+/// A file whose first failure is kept, because the reader of records tells it in words.
+struct Watched {
+    file: File,
+    failed: Option<std::io::Error>,
+}
+
+impl Read for Watched {
+    fn read(&mut self, into: &mut [u8]) -> std::io::Result<usize> {
+        self.file.read(into).inspect_err(|e| {
+            let same = || e.raw_os_error().map_or_else(|| e.kind().into(), std::io::Error::from_raw_os_error);
+            self.failed.get_or_insert_with(same);
+        })
+    }
+}
+
 /// Reads a record from a file of this name, or from bytes. `wanted` is the column of the time, the sensitivity, the mean that
 /// is taken off and the new step.
 #[pyfunction]
@@ -103,12 +118,14 @@ fn record_read<'py>(
             resample: resample.as_deref(),
             ..Options::new(name, &reader, Words::PYTHON)
         };
-        match file {
-            Some(file) => front::read(BufReader::new(file), &options),
-            None => front::read(bytes.unwrap_or_default().as_slice(), &options),
-        }
+        let Some(file) = file else {
+            return Ok(front::read(bytes.unwrap_or_default().as_slice(), &options));
+        };
+        let mut file = BufReader::new(Watched { file, failed: None });
+        let found = front::read(&mut file, &options);
+        file.get_mut().failed.take().map_or(Ok(found), Err)
     });
-    let found = found.map_err(refused)?;
+    let found = found?.map_err(refused)?;
     let (record, summary) = (&found.record, &found.summary);
     let (of, unit) = match record.excitation() {
         Excitation::Force => ("force", "N"),
@@ -172,7 +189,7 @@ fn record_between(
 
 /// The numbers of a block of the given values on a surface that falls by `slope`.
 fn of_block(given: &Given<f64>, slope: Option<f64>) -> Result<[f64; 7], InputError> {
-    let body = Body::given(given, slope)?;
+    let body = given.body(slope)?;
     let (forward, backward) = body.directional_friction();
     let ratio = body.static_friction_ratio();
     Ok([body.mass(), 0.0, body.damping(), forward, backward, ratio, body.mean_force()])

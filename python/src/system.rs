@@ -9,9 +9,9 @@ use pyo3::types::PyDict;
 use rayon::prelude::*;
 use std::path::Path;
 use std::sync::Arc;
-use stickslip::inputs::units::{Kind, System as Units};
 use stickslip::motion::record::Record;
 use stickslip::system::Error;
+use stickslip_front::inputs::units::{Kind, System as Units};
 use stickslip_front::system::{
     Answer, Asked, Axis, Cell, Description, Grid, NamedSystem, OfBorder, Samples, Units as UnitsOf, decoded,
     parsed,
@@ -36,8 +36,8 @@ fn json(answer: &impl serde::Serialize) -> PyResult<String> {
 /// Names with the samples and the times of records.
 type Records<'py> = Vec<(String, String, PyReadonlyArray1<'py, f64>, PyReadonlyArray1<'py, f64>)>;
 
-/// Columns by name, and the rows without an answer with their reasons.
-type Columns<'py> = (Bound<'py, PyDict>, Vec<(u64, String)>);
+/// Columns by name, the rows without an answer with their reasons, and the numbers of records and of values on each axis.
+type Columns<'py> = (Bound<'py, PyDict>, Vec<(u64, String)>, Vec<usize>);
 
 #[pymethods]
 impl NativeSystem {
@@ -70,6 +70,11 @@ impl NativeSystem {
         let described = &self.named.described;
         let elements = described.model.elements.iter().map(|element| element.name.clone()).collect();
         (described.coordinates.clone(), elements, described.units.map(|units| units.to_string()))
+    }
+
+    /// The value that describes the system, as JSON.
+    fn value(&self) -> PyResult<String> {
+        json(&*self.value)
     }
 
     /// The description in numbers, as JSON.
@@ -156,20 +161,23 @@ impl NativeSystem {
     }
 
     /// A row for each place of a grid: names, columns, and the rows without an answer with their reasons. The path of an
-    /// axis is `None` for the frequency.
+    /// axis is `None` for the frequency; the flag says whether it changes together with the axis before it.
     fn grid<'py>(
         &self,
         py: Python<'py>,
-        axes: Vec<(Option<String>, Vec<String>)>,
+        axes: Vec<(Option<String>, Vec<String>, bool)>,
         records: Records<'py>,
         question: &str,
         until: Option<f64>,
     ) -> PyResult<Columns<'py>> {
-        let axis = |(path, typed): &(Option<String>, Vec<String>)| match (path, typed.as_slice()) {
-            // One text may be a range or a list.
-            (Some(path), [one]) => Axis::of(path, one).map_err(refused),
-            (None, [one]) => Axis::of_frequency("frequency", one).map_err(refused),
-            (path, several) => Ok(Axis::of_each(path.as_deref(), several)),
+        let axis = |(path, typed, is_beside): &(Option<String>, Vec<String>, bool)| {
+            let found = match (path, typed.as_slice()) {
+                // One text may be a range or a list.
+                (Some(path), [one]) => Axis::of(path, one).map_err(refused)?,
+                (None, [one]) => Axis::of_frequency("frequency", one).map_err(refused)?,
+                (path, several) => Axis::of_each(path.as_deref(), several),
+            };
+            Ok(if *is_beside { found.beside() } else { found })
         };
         let axes = axes.iter().map(axis).collect::<PyResult<Vec<_>>>()?;
         let records = records
@@ -227,7 +235,7 @@ impl NativeSystem {
             };
             columns.set_item(name, cells.iter().map(number).collect::<Vec<_>>().into_pyarray(py))?;
         }
-        Ok((columns, failed))
+        Ok((columns, failed, grid.lengths()))
     }
 }
 

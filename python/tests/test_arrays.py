@@ -6,6 +6,7 @@ import math
 import sys
 import time
 
+import pickle
 import numpy as np
 import pytest
 
@@ -66,7 +67,6 @@ def test_a_machine_outside_the_domain_is_one_invalid_point_of_many():
         lambda: ss.Machine(mass=[1.0, 2.0], friction=1.0),
         lambda: ss.Machine(mass=[1.0, 2.0], stiffness=[1.0, 2.0, 3.0], friction=1.0),
         lambda: ss.Machine(mass=[1.0, 2.0], stiffness=1.0, friction=1.0, weight=3.0),
-        lambda: many.decay(0.1),
         lambda: many.motion(record),
         lambda: many.simulate(ss.Drive(force=9.0, frequency=3.0)),
     ):
@@ -452,3 +452,17 @@ def test_basins_and_best_stiffness_in_units():
 def test_values_of_the_wrong_type_are_type_errors(call):
     with pytest.raises((TypeError, ss.Error)):
         call()
+
+
+def test_arrays_of_frozen_objects_stay_frozen_in_copies():
+    machine = ss.Machine(mass=[2.0, 3.0], stiffness=800.0, friction=3.0, damping_ratio=[0.1, 0.2])
+    drive, block = ss.Drive(force=[9.0, 8.0], frequency=[3.0, 4.0]), ss.Block(mass=[2.0, 3.0], friction=1.0)
+    record = ss.Record([0.0, 1.0, 0.0], time_step=0.1)
+    for own in (machine, drive, block, record):
+        for twin in (own, pickle.loads(pickle.dumps(own)), copy.copy(own), copy.deepcopy(own)):
+            assert twin == own
+            arrays = [value for value in (*vars(twin).values(), *vars(twin).get("_own", {}).values()) if isinstance(value, np.ndarray)]
+            assert arrays and not any(array.flags.writeable for array in arrays)
+            with pytest.raises(AttributeError):
+                twin.mass = 3.0
+    assert not pickle.loads(pickle.dumps(machine)).damping_ratio.flags.writeable

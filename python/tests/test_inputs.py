@@ -64,7 +64,7 @@ def test_series_of_pandas():
         (lambda: ss.response(np.array(["2020-01-01"], dtype="M8[D]"), 2), "omega: must be numbers"),
         (lambda: ss.steady(0.4, 6, start=(0, 0)), "must be \\(phase, displacement, velocity\\)"),
         (lambda: ss.steady(0.4, 6, start=3), "must be \\(phase, displacement, velocity\\)"),
-        (lambda: ss.simulate([0.4], 6), "omega: must be one number"),
+        (lambda: ss.simulate([0.4], 6), "samples: must be given with arrays"),
         (lambda: ss.decay("far"), "displacement"),
     ],
 )

@@ -192,7 +192,7 @@ def test_a_motion_in_units_is_that_in_ratios_times_its_scales():
             physical = getattr(found, names.get(name, name.replace("_phase", "_time")))
             np.testing.assert_allclose(physical, values * scales[kind], rtol=1e-12, atol=1e-15)
         assert found.units["velocity" if samples else "start_velocity"] == "m/s"
-    with pytest.raises(ss.Error, match="one amplitude and one frequency"):
+    with pytest.raises(ss.Error, match="samples: must be given with arrays"):
         machine.simulate(ss.Drive(force=np.array([1.0, 2.0]), angular_frequency=1.0, units="N,m"))
 
 

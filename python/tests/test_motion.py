@@ -179,11 +179,28 @@ print((peak() - before) / size, size)
 """
 
 
+def test_many_points_are_computed_when_they_are_read():
+    omega = np.linspace(0.3, 2, 200_000)
+    found, few = ss.response(omega, 3.0), ss.response(omega[:1000], 3.0)
+    assert set(found._values) == set(few._values) - set(ss.OUTPUTS) and "regime" in few._values
+    np.testing.assert_array_equal(found.max_displacement[:1000], few.max_displacement)
+    assert set(found._values) & set(ss.OUTPUTS) == {"max_displacement"}
+    machine = ss.Machine(mass=2.0, stiffness=800.0, friction=3.0)
+    many = machine.response(ss.Drive(force=9.0, frequency=np.linspace(1, 9, 200_000)))
+    assert not set(many.ratios._values) & set(ss.OUTPUTS)
+    assert many.max_velocity.shape == (200_000,) and set(many.ratios._values) & set(ss.OUTPUTS) == {"max_velocity"}
+    # A table has all of them, and computes what is missing at once.
+    assert set(dict(found.items())) == set(found)
+    much = ss.steady(np.full(1 << 20, 1.5), 2.5)
+    assert not set(much._values) & set(ss.STEADY_OUTPUTS) and np.ptp(much.max_displacement) == 0.0
+    assert much.max_displacement[0] == ss.steady(1.5, 2.5).max_displacement
+
+
 @pytest.mark.parametrize(
     "work",
     [
         "found = ss.steady(np.linspace(0.3, 2, 1000), np.linspace(1.1, 6, 1000)[:, None])",
-        "found = ss.response(np.linspace(0.3, 2, 10**6), 3.0)",
+        "found = ss.response(np.linspace(0.3, 2, 10**6), 3.0, outputs=ss.OUTPUTS[:10])",
         "found = ss.response(np.linspace(0.3, 2, 3000), np.linspace(1.1, 6, 3000)[:, None], outputs=['margin'])",
         "found = ss.spectrum(ss.Record([0, 1.0, 0], time_step=0.1), period=np.linspace(0.3, 2, 500_000), friction_coefficient=0.05)",
         "drive = ss.Drive(force=9.0, frequency=np.linspace(1, 9, 10**6)); found = ss.Machine(2, 800, 3).steady(drive); found.max_velocity",
@@ -194,3 +211,64 @@ def test_a_result_takes_little_more_memory_than_its_values(work):
     run = subprocess.run([sys.executable, "-c", MEMORY.format(work=work)], capture_output=True, text=True, check=True)
     share, size = map(float, run.stdout.split())
     assert share < 2.2 and size > 5e7, run.stdout
+
+
+def test_free_vibrations_of_many_machines_are_those_of_each():
+    x, ratio = np.array([12.0, 20.0, 0.5]), np.array([[0.0], [0.05]])
+    found = ss.decay(x, 6.0, ratio)
+    for row in range(2):
+        for column in range(3):
+            alone = ss.decay(x[column], 6.0, ratio[row, 0])
+            assert {name: found[name][row, column] for name in alone} == dict(alone)
+    outside = ss.decay([12.0, np.nan, 5.0], 0.0, [0.0, 0.0, -1.0])
+    assert np.isnan(outside.path).tolist() == [False, True, True] and np.isnan(outside.half_cycles).tolist() == [False, True, True]
+    many = ss.Machine(mass=[50.0, 60.0, 1.0], stiffness=1000.0, friction=[5.0, 4.0, 0.0], damping_ratio=0.02, static_friction_ratio=1.2)
+    found = many.decay(0.1, [0.0, 1.0, 0.0])
+    for place, v in enumerate([0.0, 1.0]):
+        alone = ss.Machine(mass=float(many.mass[place]), stiffness=1000.0, friction=float(many.friction[place]), damping_ratio=0.02, static_friction_ratio=1.2).decay(0.1, v)
+        assert {name: found[name][place] for name in alone} == pytest.approx(dict(alone), rel=1e-15)
+    assert np.isnan(found.rest_time[2]) and found.ratios.path.shape == (3,)
+    pandas = pytest.importorskip("pandas")
+    labelled = ss.decay(pandas.Series({"a": 12.0, "b": 20.0}))
+    assert labelled.to_frame().loc["b", "path"] == ss.decay(20.0).path and labelled.half_cycles["a"] == ss.decay(12.0).half_cycles
+
+
+def test_motions_of_many_machines_are_those_of_each():
+    many = ss.Machine(mass=[50.0, 60.0], stiffness=1000.0, friction=5.0)
+    drive = ss.Drive(force=np.array([[12.0], [9.0], [20.0]]), frequency=1.0)
+    found = many.simulate(drive, phase=0.3, displacement=0.02, cycles=2, samples=7)
+    assert found.displacement.shape == (3, 2, 15) and found.time.shape == (3, 2, 15) and found.phase.shape == (15,)
+    for row in range(3):
+        for column in range(2):
+            one = ss.Machine(mass=float(many.mass[column]), stiffness=1000.0, friction=5.0)
+            alone = one.simulate(ss.Drive(force=float(drive.amplitude[row, 0]), frequency=1.0), phase=0.3, displacement=0.02, cycles=2, samples=7)
+            for name in ("displacement", "velocity", "friction_force", "time"):
+                np.testing.assert_allclose(found[name][row, column], alone[name], rtol=1e-15)
+            assert found.phase.tolist() == alone.phase.tolist()
+    assert ss.simulate([0.4, -1.0], 6, samples=4).displacement[0].tolist() == ss.simulate(0.4, 6, samples=4).displacement.tolist()
+    assert np.isnan(ss.simulate([0.4, -1.0], 6, samples=4).displacement[1]).all()
+    xarray = pytest.importorskip("xarray")
+    omega = xarray.DataArray([0.4, 0.7], dims="speed", coords={"speed": ["slow", "fast"]})
+    data = ss.simulate(omega, 6, samples=4).to_xarray()
+    assert data["displacement"].dims == ("speed", "phase") and data["velocity"].attrs["units"] == "B ω_d"
+    assert data["displacement"].sel(speed="fast").values.tolist() == ss.simulate(0.7, 6, samples=4).displacement.tolist()
+    plain = ss.simulate([0.4, 0.7], 6, samples=4)
+    assert plain.to_xarray()["friction"].dims == ("dim_0", "phase") and len(plain.to_frame()) == 10
+    with pytest.raises(ss.Error, match="samples: must be given with arrays"):
+        ss.simulate([0.4, 0.7], 6)
+    with pytest.raises(ss.Error, match="must be one number with arrays"):
+        ss.simulate([0.4, 0.7], 6, start=([0.0, 1.0], 0.0, 0.0), samples=4)
+    pytest.importorskip("matplotlib").use("Agg")
+    assert len(plain.plot("velocity").lines) == 2
+
+
+def test_help_names_the_unit_of_each_value():
+    assert ss.Response.max_displacement.__doc__.endswith("(B)") and ss.Samples.velocity.__doc__ == "Velocity (B ω_d)"
+    assert ss.Followed.path.__doc__ == "Length of the way to rest (length)" and ss.MachineSamples.time.__doc__ == "Time (time)"
+    assert ss.Decay.rest_time.__doc__ == "Time until rest (√(m/k))"
+
+
+def test_what_is_printed_is_plain():
+    system = ss.System(masses={f"m{i}": 1.0 for i in range(9)}, springs=[{"between": ["ground", f"m{i}"], "stiffness": 1.0} for i in range(9)])
+    for shown in (ss.steady(0.4, 6), system, system.simulate(0.1), system.states([0.0]), ss.steady([0.4], 6)):
+        assert repr(shown).isascii()

@@ -255,3 +255,24 @@ def test_a_file_is_read_as_it_is_and_described():
         ss.Record.read(text, column="U", scale="2.5 N/V", time_column="x")
     gap = ss.Record([1, 2, 1, 2, 1], times=[0, 1, 2, 5, 6])
     assert gap.describe()["gaps"] == [(2.0, 5.0)]
+
+
+def test_records_add_and_subtract():
+    one, other = (ss.Record(samples, time_step=0.5, unit="g") for samples in ([0.0, 0.3, 0.1], [0.1, -0.3, 0.2]))
+    assert (one + other).samples.tolist() == [0.1, 0.0, 0.30000000000000004] and (one - other).samples.tolist() == [-0.1, 0.6, -0.1]
+    assert (one - one).peak == 0.0 and (one - other) == one + -other
+    assert sum([one, other, one]) == one + other + one and sum([one]) == one
+    later = ss.Record([0.0, 0.3, 0.1], times=[0.0, 0.5, 1.1], unit="g")
+    for wrong in (lambda: one - 1, lambda: 1 + one, lambda: one + later, lambda: one - ss.Record([0, 0.3, 0.1], time_step=0.5), lambda: sum([one, later]), lambda: False + one):
+        with pytest.raises(ss.Error, match="record"):
+            wrong()
+
+
+def test_a_missing_file_is_an_error_of_files_and_ours(tmp_path):
+    (tmp_path / "folder").mkdir()
+    for read in (ss.Record.read, ss.System.read):
+        with pytest.raises(FileNotFoundError) as caught:
+            read(tmp_path / "none.csv")
+        assert isinstance(caught.value, ss.Error) and isinstance(caught.value, ss.FileError)
+        with pytest.raises(ss.FileError):
+            read(tmp_path / "folder")

@@ -251,7 +251,7 @@ def test_a_grid_over_records_has_each_motion():
     longer = system.follow(records["weak"], until="4 s")
     assert longer.duration == 4
     frame = pytest.importorskip("pandas").DataFrame(grid)
-    assert len(frame) == 4 and frame["bearing.friction"].tolist() == [300, 600, 300, 600]
+    assert len(frame) == 4 and frame["bearing.friction[N]"].tolist() == [300, 600, 300, 600]
 
 
 def test_just_above_the_border_nothing_sticks():
@@ -270,7 +270,7 @@ def test_just_above_the_border_nothing_sticks():
         (lambda: ss.System(masses={"m": "-1 kg"}), ["masses.m -1 kg", "> 0"]),
         (lambda: ss.System(masses={"m": float("nan")}), ["masses.m", "finite"]),
         (lambda: ss.System(masses={}), ["masses", ">= 1"]),
-        (lambda: ss.System(), ["masses is missing"]),
+        (lambda: ss.System().steady(), ["masses is missing"]),
         (lambda: ss.System(mass=[[1, 2], [3, 4]]), ["mass"]),
         (lambda: by_names(stops=[{"between": ["block", "rof"]}]), ["rof", "Did you mean roof?"]),
         (lambda: by_names(masses={"m": object()}), ["masses.m", "must be"]),
@@ -343,3 +343,24 @@ def test_states_take_times_with_units():
     for times in ("0.1 N", "soon", ["0.1 s", "soon"], None, [True]):
         with pytest.raises(ss.Error, match="times"):
             system.states(times)
+
+
+def test_blows_have_their_velocities():
+    """A ball that falls 0.4 m comes to rest after v/g + 2 e v/(g (1 - e))."""
+    e, g = 0.5, 9.80665
+    ball = ss.System(
+        masses={"ball": {"mass": "1 kg", "start": "-0.4 m"}},
+        stops=[{"name": "floor", "between": ["ground", "ball"], "gap": 0, "restitution": e}],
+        forces=[{"on": "ball", "constant": "9.80665 N"}],
+        units="N,m",
+    )
+    motion = ball.simulate("2 s")
+    blows = motion.event_kind == "blow"
+    assert motion.elements["floor"].blows == blows.sum()
+    before, after = motion.event_velocity_before, motion.event_velocity_after
+    np.testing.assert_allclose(after[blows], -e * before[blows], rtol=1e-14)
+    assert np.isnan(before[~blows]).all()
+    v = (2 * g * 0.4) ** 0.5
+    assert abs(before[0] - v) < 1e-14
+    assert motion.event_kind[-1] == "close"
+    assert abs(motion.event_time[-1] - (v / g + 2 * e * v / (g * (1 - e)))) < 1e-13

@@ -78,7 +78,7 @@ def test_questions_of_design_take_units():
         (lambda: ss.Machine("1 kg", "2 N/m", "3 N", damping="-2 N*s/m"), "damping -2 N.s/m: damping constant c = -2 must be"),
         (lambda: ss.Machine(1, 2), "friction .or friction_coefficient. is missing"),
         (lambda: ss.Machine(1, 2, 3, gravity=9), "gravity: must be left out without friction_coefficient"),
-        (lambda: ss.Machine([1, 2], 2, 3).decay(1.0), "takes one machine, not an array"),
+        (lambda: ss.Machine([1, 2], 2, 3).motion(ss.Record([0, 1.0], time_step=1)), "takes one body, not an array"),
         (lambda: ss.Machine([1, 2], "2 N/m", 3), "mass 1.0: has no unit beside stiffness 2 N/m"),
         (lambda: ss.Machine([1, 2], 2, 3, period=[1, 2]), "stiffness and period: give one of the two"),
         (lambda: ss.Drive(force="12 kN", frequency="2 s"), "frequency 2 s: must be a frequency .*, but .s. is a unit of time"),

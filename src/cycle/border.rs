@@ -35,6 +35,7 @@
 //! and no scanning or sampling.
 
 mod band_end;
+mod larger;
 mod lobe;
 mod near;
 mod range;
@@ -45,8 +46,9 @@ mod turning_point;
 
 use crate::cycle::phase_function::PhaseFunction;
 use crate::float::pair::Pair;
-use crate::float::{Field, Float, fused};
+use crate::float::{Float, fused};
 use crate::machine::error::Error;
+use larger::is_stationary_value_larger;
 pub(crate) use lobe::Lobe;
 pub use lobe::Minimum;
 #[cfg(feature = "batch")]
@@ -61,19 +63,6 @@ pub(crate) use turning_point::border_force_ratio;
 #[cfg(test)]
 pub(crate) use turning_point::turning_point_criterion;
 pub use turning_point::{slip_excess, turning_point_border, turning_point_residual};
-
-/// Whether S is the stationary value `width`/(1 − Ω²) and not the limit 1/Ω² at the turning point.
-///
-/// For T > 0 (`rises`) it is larger, even if the excess is below rounding.
-#[inline(always)]
-fn is_stationary_value_larger<F: Float>(
-    one_minus_square: Pair<F>,
-    omega: F,
-    width: Pair<F>,
-    rises: bool,
-) -> bool {
-    rises | (width.value() > (one_minus_square / omega.wide().square()).value())
-}
 
 /// The minimum force ratio at a frequency ratio: exact, and by eq. 61.
 #[derive(Debug, Clone, Copy, PartialEq)]

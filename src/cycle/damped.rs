@@ -33,9 +33,10 @@ pub(crate) mod touch;
 pub(crate) mod wide;
 mod work;
 
+use super::border::Border;
 use super::displacement::velocity_phase;
+use super::dissipation::{loop_size_inertia, loop_size_stiffness};
 use super::stability::MultiplierPair;
-use super::{Border, loop_size_inertia, loop_size_stiffness};
 use crate::float::pair::Pair;
 use crate::float::{Field, Float, Signed, fused};
 use crate::machine::ratios::Ratios;

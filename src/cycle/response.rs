@@ -172,7 +172,7 @@ impl<F: Float> Response<F> {
 
     /// Whether a motion without a stop exists and attracts its neighbourhood: a cycle of two or six reversals,
     /// or one that grows without bound. With η = 1 every start leads to it.
-    pub(crate) fn has_motion_without_stop(&self) -> bool {
+    pub fn has_motion_without_stop(&self) -> bool {
         let is_above = self.ratios.alpha() >= self.border.min_force_ratio;
         is_above && self.regime != Regime::Stuck || self.reversals_per_cycle().is_some()
     }

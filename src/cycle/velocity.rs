@@ -33,6 +33,7 @@
 
 pub(crate) mod arrival;
 mod centre;
+mod fastest;
 mod iteration;
 pub(crate) mod low;
 mod step;
@@ -45,6 +46,7 @@ use crate::cycle::phase_function::{Frequency, Offset, PhaseFunction};
 use crate::float::pair::Pair;
 use crate::float::{Field, Real};
 use crate::float::{Float, fused};
+pub(crate) use fastest::Fastest;
 use iteration::{fastest_and_displacement, from_centre_or_afar};
 use low::{LowCircular, LowWaves};
 use waves::{Circular, Waves};
@@ -104,15 +106,6 @@ pub fn max_velocity_from_phase<R: Field>(
     let x = R::int(1) + deviation - amplitude * sine;
     let rho = sign * (R::int(2) / (R::int(1) + cos_pi_1) - x.square()).sqrt();
     amplitude * cosine + rho / omega
-}
-
-/// The point of peak velocity of a half cycle.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Fastest<F> {
-    /// Its centred time ψ.
-    pub(crate) psi: F,
-    /// `V₀/(Bω_d)`.
-    pub(crate) velocity: F,
 }
 
 /// The peak velocity of the half cycle at (Ω, α); `k` is K(Ω).
@@ -219,20 +212,6 @@ fn by_low_waves<F: Float>(p: PhaseFunction<F>, given: GivenCycle<F>) -> Option<(
         let (found, velocity) = waves.arrive(&circular, displacement_phase, theta);
         found.is_found.then_some((Fastest { psi: found.psi, velocity }, found.displacement))
     })
-}
-
-impl<F: Float> Fastest<F> {
-    /// This maximum of the velocity with its derivatives: ψ as the root of v′ = 0, the velocity at the constant ψ, where it is
-    /// stationary.
-    #[inline]
-    fn differentiated(self, half: impl Fn() -> HalfCycle<F>) -> Self {
-        let psi = self.psi.implicit_root(|psi| {
-            let jet = half().velocity(psi);
-            (jet.first, jet.second)
-        });
-        let velocity = self.velocity.differentiated_as(|| half().velocity(psi.constant()).value);
-        Self { psi, velocity }
-    }
 }
 
 #[cfg(test)]

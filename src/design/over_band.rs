@@ -22,6 +22,7 @@
 //! together have a number of steps, after which the best checked answer is given, or the search is refused.
 
 mod band;
+mod steps;
 
 use crate::float::Float;
 use crate::greatest::highest;
@@ -33,29 +34,8 @@ use alloc::vec::Vec;
 use band::Band;
 use core::cmp::Ordering;
 use core::ops::RangeInclusive;
-
-named! {
-    /// The amplitude that is to be small.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
-    #[non_exhaustive]
-    pub enum Aim [name] {
-        /// The displacement x; on a base that carries the surface in relation to the base.
-        Displacement = "displacement",
-        /// The displacement in space, on a base that carries the surface.
-        AbsoluteDisplacement = "absolute-displacement",
-        /// The force on the support.
-        TransmittedForce = "transmitted-force",
-        /// The acceleration in space.
-        Acceleration = "acceleration",
-    }
-}
-
-impl Aim {
-    /// Every aim.
-    pub const ALL: [Self; 4] =
-        [Self::Displacement, Self::AbsoluteDisplacement, Self::TransmittedForce, Self::Acceleration];
-}
+pub use steps::Aim;
+use steps::{LOG_STEPS, SEARCH_STEPS, by_place, geometric, infinite};
 
 named! {
     /// The kind of a best friction over a band.
@@ -360,15 +340,6 @@ impl<F: Float> FrictionSearch<'_, '_, F> {
     }
 }
 
-fn infinite<F: Float>() -> F {
-    F::int(1) / F::int(0)
-}
-
-/// The order of frictions, or of frequencies, with their values.
-fn by_place<F: Float>(a: &(F, F), b: &(F, F)) -> Ordering {
-    a.0.partial_cmp(&b.0).unwrap_or(Ordering::Equal)
-}
-
 /// The least greatest amplitude but for 2⁻³³, and the first friction that is as good.
 fn as_good_as_any<F: Float>(tried: &[(F, F)]) -> (F, usize) {
     let least =
@@ -408,36 +379,16 @@ const REFINEMENTS: usize = 3;
 const MINIMA: usize = 3;
 /// Minima of a mesh with static friction above the kinetic one.
 const ROUGH_MINIMA: usize = 5;
-/// The binary logarithm of the number of steps of a mesh.
-const LOG_STEPS: u32 = 6;
 /// The uniform steps of the frictions up to rest, with static friction above the kinetic one.
 const UNIFORM: i32 = 32;
 /// The uniform steps of a mesh whose frictions are left as soon as they are worse than the best one.
 const FINE: i32 = 600;
-/// The steps of all searches together, each of up to about a microsecond at f64.
-const SEARCH_STEPS: u64 = 6_000_000;
 /// The steps of a check.
 const CHECK_STEPS: u64 = 2_000_000;
 /// The meshes of frequencies.
 const CHECKS: u32 = 5;
 /// Those on which the cycle in closed form is tried for the motion from rest.
 const GUESSES: u32 = 3;
-
-/// 2ⁿ steps of one ratio from `low` to `high`.
-fn geometric<F: Float>(low: F, high: F, log_steps: u32) -> Vec<F> {
-    let mut ratio = high / low;
-    for _ in 0..log_steps {
-        ratio = ratio.sqrt();
-    }
-    let mut place = low;
-    let mut places = Vec::new();
-    for _ in 0..1u32 << log_steps {
-        places.push(place);
-        place = place * ratio;
-    }
-    places.push(high);
-    places
-}
 
 #[cfg(test)]
 mod tests;

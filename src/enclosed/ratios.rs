@@ -1,6 +1,7 @@
 //! The ratios of one question, each as it is known.
 
 use super::{AskedRatios, Known, Response, Steady, Unproved};
+use crate::float::ParseError;
 use crate::machine::error::{Error, Number, Quantity};
 use rug::Rational;
 
@@ -10,7 +11,7 @@ use rug::Rational;
 /// ```
 /// use stickslip::Output;
 /// use stickslip::enclosed::KnownRatios;
-/// let ratios = KnownRatios::new(&"0.695..0.705".parse()?).with_force_ratio(&"2".parse()?);
+/// let ratios = KnownRatios::parsed("0.695..0.705", "2")?;
 /// let response = ratios.response(128)?;
 /// assert!(response.get(Output::MaxDisplacement).is_some());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -34,6 +35,14 @@ impl KnownRatios {
             damping_ratio: exactly(0),
             static_friction_ratio: exactly(1),
         }
+    }
+
+    /// The frequency ratio Ω and the force ratio α from text: a decimal number, a fraction such as `2/7`, or a range such as `0.695..0.705`.
+    ///
+    /// # Errors
+    /// Names the text that is none of these.
+    pub fn parsed(omega: &str, alpha: &str) -> Result<Self, ParseError> {
+        Ok(Self::new(&omega.parse()?).with_force_ratio(&alpha.parse()?))
     }
 
     /// With the force ratio α.

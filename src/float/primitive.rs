@@ -1,4 +1,4 @@
-//! `f32` and `f64`: the operations that IEEE 754 rounds correctly, and the circular functions of the pinned
+//! `f32` and `f64`: the operations that IEEE 754 rounds correctly, and the circular functions of the
 //! crate `libm`, so that results do not depend on the platform.
 
 use super::circular::ARCTANGENT;

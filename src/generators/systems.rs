@@ -186,6 +186,7 @@ impl<'a> Arbitrary<'a> for Structure {
         }
         let until = numbers.within(2.0, 12.0)?;
         let model = Model {
+            coordinates: Vec::new(),
             mass,
             damping,
             stiffness,

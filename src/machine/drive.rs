@@ -54,19 +54,6 @@ impl<F: Float> Drive<F> {
         Self::new(Excitation::Force, amplitude, angular_frequency)
     }
 
-    /// The force `p₀ = α r_y` at the angular frequency ω_d.
-    ///
-    /// # Errors
-    /// Where α or ω_d is not finite or not > 0, or p₀ overflows or underflows.
-    pub(crate) fn with_force_ratio(
-        oscillator: &Oscillator<F>,
-        alpha: F,
-        angular_frequency: F,
-    ) -> Result<Self, Error> {
-        let alpha = positive(Quantity::ForceRatio, alpha)?;
-        Self::force(alpha * oscillator.friction_bound(), angular_frequency)
-    }
-
     /// This drive with a constant force p̄ on the body, such as its weight along an inclined surface or a
     /// preload.
     ///

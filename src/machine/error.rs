@@ -315,6 +315,12 @@ pub enum Error {
         /// The error.
         error: Box<Error>,
     },
+    /// A record whose text cannot be read.
+    #[error("record: the text must be readable, but {reason}")]
+    Unreadable {
+        /// The reason.
+        reason: Box<str>,
+    },
     /// A record with too few samples.
     #[error("record: the number of samples = {count} must be ≥ 2")]
     TooFewSamples {

@@ -108,7 +108,7 @@ impl<F: Float> Oscillator<F> {
     ///
     /// # Errors
     /// Where an argument is not finite or not > 0, or k is not.
-    pub(crate) fn tuned(mass: F, friction_bound: F, angular_frequency: F, omega: F) -> Result<Self, Error> {
+    pub fn tuned(mass: F, friction_bound: F, angular_frequency: F, omega: F) -> Result<Self, Error> {
         let omega = frequency_ratio(omega)?;
         let natural_frequency = positive(Quantity::AngularFrequency, angular_frequency)? / omega;
         Self::new(mass, mass * natural_frequency.square(), friction_bound)
@@ -280,7 +280,8 @@ mod tests {
     fn ratios_and_physical_units_are_two_views() {
         let oscillator = paper(0.8);
         close(oscillator.natural_frequency(), std::f64::consts::TAU / 0.8);
-        let drive = Drive::with_force_ratio(&oscillator, 2.5, 0.8 * oscillator.natural_frequency()).unwrap();
+        let drive =
+            Drive::force(2.5 * oscillator.friction_bound(), 0.8 * oscillator.natural_frequency()).unwrap();
         close(drive.force_amplitude(&oscillator), 12.5);
         close(drive.angular_frequency(), std::f64::consts::TAU);
         let back = drive.ratios(&oscillator).unwrap();

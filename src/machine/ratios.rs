@@ -161,7 +161,8 @@ impl<F: Float> Ratios<F> {
     /// Whether a body at rest is released at any position, α > η. For α ≤ η it stays at rest for ever where
     /// `|α sin θ − x| ≤ η` for all θ, that is for `|x| ≤ η − α`, also at x = 0.
     #[inline]
-    pub(crate) fn moves_from_rest(&self) -> bool {
+    #[must_use]
+    pub fn moves_from_rest(&self) -> bool {
         self.alpha > self.static_friction_ratio
     }
 
@@ -199,12 +200,12 @@ pub(crate) fn finite<F: Float>(quantity: Quantity, x: F) -> Result<F, Error> {
 }
 
 /// `x`, if it is finite and positive.
-pub(crate) fn positive<F: Float>(quantity: Quantity, x: F) -> Result<F, Error> {
+pub fn positive<F: Float>(quantity: Quantity, x: F) -> Result<F, Error> {
     if x > F::int(0) && x.is_finite() { Ok(x) } else { Err(not_positive(quantity, x)) }
 }
 
 /// `x`, if it is finite and not negative.
-pub(crate) fn non_negative<F: Float>(quantity: Quantity, x: F) -> Result<F, Error> {
+pub fn non_negative<F: Float>(quantity: Quantity, x: F) -> Result<F, Error> {
     if x < F::int(0) { Err(Error::Negative { quantity, value: written(x) }) } else { finite(quantity, x) }
 }
 
@@ -269,7 +270,7 @@ pub(crate) fn springless<F: Float>() -> F {
 }
 
 /// The binary logarithm of [`springless`].
-pub(crate) fn springless_exponent<F: Float>() -> i32 {
+pub fn springless_exponent<F: Float>() -> i32 {
     (F::precision() / 2).saturating_add(2).cast_signed()
 }
 

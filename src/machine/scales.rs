@@ -9,6 +9,7 @@ use crate::machine::ratios::{finite, positive};
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[must_use]
+#[non_exhaustive]
 pub struct Scales<F> {
     /// Length: `B = r_y/k` (eq. 6).
     pub length: F,

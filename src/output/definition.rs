@@ -2,7 +2,7 @@
 
 use crate::float::Real;
 use crate::machine::oscillator::{Excitation, Scales};
-use crate::machine::units::Kind;
+use crate::output::Kind;
 use alloc::borrow::ToOwned;
 use alloc::format;
 use alloc::string::String;

@@ -1,5 +1,5 @@
 use super::{Measure, Output, definitions};
-use crate::machine::units::Kind;
+use crate::output::Kind;
 use crate::{Excitation, Ratios, Response, Scales};
 
 #[test]

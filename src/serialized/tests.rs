@@ -6,7 +6,7 @@ use crate::uncertainty::{Interval, ParameterBox, Parameters};
 use crate::{
     Border, Cycle, Drive, Excitation, Oscillator, Output, Ratios, Response, Scales, Steady, Verdict,
 };
-use serde_json::{Value, json, to_value};
+use serde_json::{Value, from_value, json, to_value};
 
 #[test]
 fn every_output_by_the_name_it_has_in_json() {
@@ -254,4 +254,43 @@ fn inputs_obey_the_rules_of_their_constructors() {
         to_value(Ratios::new(0.7, f64::NAN).unwrap_err()).unwrap(),
         json!("force ratio α = NaN must be finite")
     );
+}
+
+/// A segment has its ends and its kind; a model is read back, and what it leaves out is as by default.
+#[test]
+fn segments_and_models() {
+    let motion = crate::motion::Trajectory::new(Ratios::new(0.4, 6.0).unwrap(), State::default()).unwrap();
+    let segments: Vec<_> = motion.take(2).collect::<Result<_, _>>().unwrap();
+    let written = to_value(segments[1]).unwrap();
+    assert_eq!((&written["kind"], &written["ends_by"]), (&json!("slide-forward"), &json!("reversal")));
+    assert_eq!(from_value::<State<f64>>(written["start"].clone()).unwrap(), segments[1].start());
+    assert_eq!(from_value::<Option<State<f64>>>(written["end"].clone()).unwrap(), segments[1].end());
+    assert_eq!(written["duration"].as_f64(), segments[1].duration());
+}
+
+#[cfg(feature = "system")]
+#[test]
+fn models() {
+    use crate::system::{Element, Model, System};
+    let model = System::builder()
+        .mass("a", 2.0)
+        .mass("b", 1.0)
+        .spring("ground", "a", 7.0)
+        .between("ground", "a", Element::contact([], 0.5).with_peak(1.5).on_belt(0.1))
+        .between("a", "b", Element::elastic([], 3.0, 1.0))
+        .between("b", "ground", Element::stop([], 0.1, 50.0))
+        .wave("a", 1.0, 2.0)
+        .record("b", vec![0.0, 1.0], vec![1.0, 0.0])
+        .travels("b", 0.5)
+        .model()
+        .unwrap();
+    assert_eq!(from_value::<Model<f64>>(to_value(&model).unwrap()).unwrap(), model);
+    let short = json!({ "mass": [[1.0]], "stiffness": [[2.0]], "damping": [[0.0]] });
+    let due = Model {
+        mass: vec![vec![1.0]],
+        stiffness: vec![vec![2.0]],
+        damping: vec![vec![0.0]],
+        ..Model::default()
+    };
+    assert_eq!(from_value::<Model<f64>>(short).unwrap(), due);
 }

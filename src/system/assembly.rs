@@ -5,7 +5,7 @@
 
 use super::dependent::{rank, too_many};
 use super::error::Error;
-use super::matrix::{Matrix, add_times};
+use super::matrix::{Matrix, add_times, dot};
 use super::model::{Base, Element, Kind, Law, Model, Moved, MovedBy, Normal, Record, Signal};
 use crate::float::Float;
 use crate::machine::error::written;
@@ -32,6 +32,8 @@ pub(crate) enum Rule<F> {
     Elastic { stiffness: F, place: usize, bound: Vec<F>, normal: Option<Vec<F>> },
     /// `depth` is the row of y − gap.
     Stop { depth: Vec<F>, stiffness: F, damping: F },
+    /// A stop that gives no way.
+    Hard { depth: Vec<F>, restitution: F },
 }
 
 /// An element, ready for use.
@@ -56,8 +58,13 @@ impl<F: Float> Part<F> {
     pub(crate) fn normal(&self) -> Option<&[F]> {
         match &self.rule {
             Rule::Contact { normal, .. } | Rule::Elastic { normal, .. } => normal.as_deref(),
-            Rule::Stop { .. } => None,
+            Rule::Stop { .. } | Rule::Hard { .. } => None,
         }
+    }
+
+    /// Whether it keeps a velocity of 0 by a force that is sought: a contact that may stick, a stop that gives no way.
+    pub(crate) const fn may_hold(&self) -> bool {
+        matches!(self.rule, Rule::Contact { .. } | Rule::Hard { .. })
     }
 }
 
@@ -92,11 +99,15 @@ pub(crate) struct Assembly<F> {
     pub(crate) parts: Vec<Part<F>>,
     /// bᵢ·M⁻¹bⱼ.
     pub(crate) coupling: Matrix<F>,
-    /// Whether a contact's direction is a combination of those of others.
+    /// Whether the direction of a contact, or of a stop that gives no way, is a combination of those of others.
     pub(crate) is_dependent: bool,
     pub(crate) frequencies: Vec<F>,
     pub(crate) records: Vec<Record<F>>,
     pub(crate) moved: Vec<Driven<F>>,
+    /// The coordinates without mass that are not moved.
+    pub(crate) massless: Vec<usize>,
+    /// The names of coordinates, as far as they have one.
+    pub(crate) names: Vec<String>,
     /// The rows of the quantities of the levels, less their values.
     pub(crate) levels: Vec<Vec<F>>,
     /// Whether a sample of a record may change a velocity at once.
@@ -117,7 +128,7 @@ impl<F: Float> Assembly<F> {
         let mass = square("mass", &model.mass, n, true)?;
         let damping = square("damping", &model.damping, n, false)?;
         let stiffness = square("stiffness", &model.stiffness, n, false)?;
-        let inverse_mass = inverse(&mass, &model.moved)?;
+        let inverse_mass = inverse(&mass, &model.moved, &massless(model))?;
         let elastic = model.elements.iter().filter(|e| matches!(e.kind, Kind::Elastic { .. })).count();
         let free = 2 * n + elastic;
         let inputs = free + 2 * model.harmonics.len();
@@ -157,6 +168,8 @@ impl<F: Float> Assembly<F> {
             frequencies: model.harmonics.iter().map(|h| h.frequency).collect(),
             records: model.records.clone(),
             moved: Vec::new(),
+            massless: massless(model),
+            names: model.coordinates.clone(),
             levels: Vec::new(),
             jerks: false,
             base: Vec::new(),
@@ -192,28 +205,32 @@ impl<F: Float> Assembly<F> {
             row.get(places).is_some_and(|row| row.iter().any(|&x| x != F::int(0)))
         };
         assembly.jerks = assembly.parts.iter().any(|part| by_records(&part.velocity))
+            || assembly.massless.iter().any(|&i| by_records(assembly.load.row(i)))
+            || assembly
+                .parts
+                .iter()
+                .any(|part| assembly.is_light(part) && part.normal().is_some_and(by_records))
             || assembly.moved.iter().any(|moved| moved.velocity.as_deref().is_some_and(by_records));
         let count = assembly.parts.len();
         let mut coupling = Matrix::zero(count, count);
         for (i, a) in assembly.parts.iter().enumerate() {
             for (j, b) in assembly.parts.iter().enumerate() {
-                coupling.set(i, j, super::matrix::dot(&a.direction, &b.response));
+                coupling.set(i, j, dot(&a.direction, &b.response));
             }
         }
         assembly.coupling = coupling;
-        let contacts: Vec<&[F]> = assembly
-            .parts
-            .iter()
-            .filter(|p| matches!(p.rule, Rule::Contact { .. }))
-            .map(|p| p.direction.as_slice())
-            .collect();
+        let contacts: Vec<&[F]> =
+            assembly.parts.iter().filter(|part| part.may_hold()).map(|p| p.direction.as_slice()).collect();
         assembly.is_dependent = rank(&contacts) < contacts.len();
         if assembly.is_dependent && too_many(&contacts) {
             return Err(Error::Unsupported {
                 name: "elements".to_string(),
-                condition: "must have at most 14 contacts whose directions depend on each other, parallel ones \
-                            counted once, or 20000 connected sets of bodies where each contact joins two of them",
+                condition: "must have at most 14 contacts and stops with a restitution whose directions depend on each other, parallel \
+                            ones counted once, or 20000 connected sets of bodies where each of them joins two",
             });
+        }
+        if !assembly.massless.is_empty() {
+            assembly.check_massless()?;
         }
         Ok(assembly)
     }
@@ -232,6 +249,12 @@ impl<F: Float> Assembly<F> {
             elements.iter().enumerate().for_each(|(b, &j)| matrix.set(a, b, self.coupling.at(i, j)));
         }
         matrix
+    }
+
+    /// The velocity b·q′ of the bodies along an element.
+    pub(crate) fn along(&self, element: usize, z: &[F]) -> F {
+        let velocities = z.get(self.n..2 * self.n).unwrap_or(&[]);
+        self.parts.get(element).map_or(F::int(0), |part| dot(&part.direction, velocities))
     }
 
     /// The greatest size of each state that is a given function of time.
@@ -401,24 +424,23 @@ impl<F: Float> Assembly<F> {
                 bound.iter_mut().for_each(|x| *x = *x * friction);
                 Rule::Elastic { stiffness, place, bound, normal }
             }
-            Kind::Stop { gap, stiffness, damping } => {
-                let Some(mut depth) = stretch.clone() else {
-                    return Err(Error::Unsupported {
-                        name: format!("{name}: moves.constant"),
-                        condition: "must be 0, as the factors of records: the other side of a stop moves by waves",
-                    });
-                };
-                if let Some(last) = depth.last_mut() {
-                    *last = -finite(&format!("{name}: gap"), *gap)?;
-                }
-                Rule::Stop {
-                    depth,
-                    stiffness: positive(&format!("{name}: stiffness"), *stiffness)?,
-                    damping: at_least(&format!("{name}: damping"), *damping, zero)?,
-                }
-            }
+            Kind::Stop { gap, stiffness, damping } => Rule::Stop {
+                depth: depth(&name, stretch.as_ref(), *gap)?,
+                stiffness: positive(&format!("{name}: stiffness"), *stiffness)?,
+                damping: at_least(&format!("{name}: damping"), *damping, zero)?,
+            },
+            Kind::HardStop { gap, restitution } => Rule::Hard {
+                depth: depth(&name, stretch.as_ref(), *gap)?,
+                restitution: share(&format!("{name}: restitution"), *restitution)?,
+            },
         };
         let response = self.inverse_mass.of(&direction);
+        if matches!(rule, Rule::Hard { .. }) && dot(&direction, &response) <= zero {
+            return Err(Error::Unsupported {
+                name: format!("{name}: direction"),
+                condition: "must move a mass: a stop with a restitution acts on a body that is not moved as prescribed",
+            });
+        }
         let mut moves = self.derivative(&moving);
         for driven in &self.moved {
             let by = direction.get(driven.coordinate).copied().unwrap_or(zero);
@@ -428,8 +450,39 @@ impl<F: Float> Assembly<F> {
     }
 }
 
-/// M⁻¹, without the coordinates that are moved: no force accelerates them.
-fn inverse<F: Float>(mass: &Matrix<F>, moved: &[Moved<F>]) -> Result<Matrix<F>, Error> {
+/// The row of y − gap of a stop.
+fn depth<F: Float>(name: &str, stretch: Option<&Vec<F>>, gap: F) -> Result<Vec<F>, Error> {
+    let Some(mut depth) = stretch.cloned() else {
+        return Err(Error::Unsupported {
+            name: format!("{name}: moves.constant"),
+            condition: "must be 0, as the factors of records: the other side of a stop moves by waves",
+        });
+    };
+    if let Some(last) = depth.last_mut() {
+        *last = -finite(&format!("{name}: gap"), gap)?;
+    }
+    Ok(depth)
+}
+
+/// A number from 0 to 1.
+fn share<F: Float>(name: &str, value: F) -> Result<F, Error> {
+    if at_least(name, value, F::int(0))? <= F::int(1) {
+        return Ok(value);
+    }
+    let name = format!("{name} = {}", written(value));
+    Err(Error::Unsupported { name, condition: "must be ≤ 1" })
+}
+
+/// The coordinates without mass that are not moved.
+fn massless<F: Float>(model: &Model<F>) -> Vec<usize> {
+    let is_moved = |i: usize| model.moved.iter().any(|moved| moved.coordinate == i);
+    let rows = model.mass.iter().enumerate();
+    let light = rows.filter(|(i, row)| !is_moved(*i) && row.iter().all(|x| *x == F::int(0)));
+    light.map(|(i, _)| i).collect()
+}
+
+/// M⁻¹, without the coordinates that are moved, which no force accelerates, and those without mass, which have no acceleration of their own.
+fn inverse<F: Float>(mass: &Matrix<F>, moved: &[Moved<F>], massless: &[usize]) -> Result<Matrix<F>, Error> {
     let n = mass.columns();
     let mut definite = mass.clone();
     let places = || moved.iter().map(|moved| moved.coordinate).filter(|&i| i < n);
@@ -443,10 +496,13 @@ fn inverse<F: Float>(mass: &Matrix<F>, moved: &[Moved<F>]) -> Result<Matrix<F>, 
         at_least(&place("mass", i), mass.at(i, i), F::int(0))?;
         definite.set(i, i, F::int(1));
     }
+    for &i in massless {
+        definite.set(i, i, F::int(1));
+    }
     let mut inverse = definite
         .inverse_of_definite()
         .map_err(|(row, value)| Error::NotDefinite { row: row + 1, value: written(value) })?;
-    places().for_each(|i| inverse.set(i, i, F::int(0)));
+    places().chain(massless.iter().copied()).for_each(|i| inverse.set(i, i, F::int(0)));
     Ok(inverse)
 }
 

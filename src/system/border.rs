@@ -34,6 +34,7 @@ use alloc::vec::Vec;
 /// The least load at which a contact never sticks.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct Border<F> {
     /// The least load as a multiple of the given one. From it on the contact never sticks in a motion with two
     /// reversals a period.
@@ -49,6 +50,7 @@ pub struct Border<F> {
 /// The cycle of two reversals a period.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct Cycle<F> {
     /// The greatest stretch y of the contact, from the middle of its motion: Δ₀.
     pub max_displacement: F,
@@ -95,10 +97,13 @@ impl<F: Float> Friction<F> {
     fn new(given: &Assembly<F>) -> Result<Self, Error> {
         let zero = F::int(0);
         let [part] = given.parts.as_slice() else {
-            return Err(unsupported("elements", "must be one contact: the closed form is that of one"));
+            return Err(unsupported(
+                "elements",
+                "must be one contact: with stops or further contacts there is no closed form",
+            ));
         };
         let Rule::Contact { pieces, peak, normal } = &part.rule else {
-            return Err(unsupported(&part.name, "must be a contact"));
+            return Err(unsupported(&part.name, "must be a contact that is neither elastic nor a stop"));
         };
         let ([piece], None) = (pieces.as_slice(), normal) else {
             return Err(unsupported(&part.name, "must have one friction force, at every speed and time"));
@@ -107,13 +112,22 @@ impl<F: Float> Friction<F> {
             return Err(unsupported(&part.name, "must not move on its other side"));
         }
         let [frequency] = given.frequencies.as_slice() else {
-            return Err(unsupported("harmonics", "must be one: the closed form is that of one"));
+            return Err(unsupported(
+                "harmonics",
+                "must be one: loads of several frequencies have no closed form",
+            ));
         };
         if !given.moved.is_empty() {
             return Err(unsupported("moved", "must be absent: the closed form is that of a harmonic load"));
         }
         if !given.records.is_empty() {
             return Err(unsupported("records", "must be absent: the closed form is that of a harmonic load"));
+        }
+        if !given.massless.is_empty() {
+            return Err(unsupported(
+                "mass",
+                "must be > 0 at each coordinate: the closed form is that of bodies with mass",
+            ));
         }
         let (n, frequency) = (given.n, *frequency);
         let constant: Vec<F> = given.load.rows().filter_map(|row| row.last().copied()).collect();

@@ -17,6 +17,7 @@ use super::assembly::{Assembly, Part, Piece, Rule};
 use super::dependent::facets;
 use super::equation::{Equation, Mode, fastest, pressing, sign};
 use super::first_passage::{bernstein_of_rows, integer};
+use super::massless::Tie;
 use super::matrix::{Matrix, Sparse, add_times, dot, is_small};
 use super::propagator::{Bound, Propagator, exponential};
 use crate::float::Float;
@@ -116,6 +117,8 @@ pub(crate) struct Branch<F> {
     pub(crate) hull: Hull<F>,
     /// The row of each element's force.
     pub(crate) tension: Vec<Vec<F>>,
+    /// What coordinates without mass do, if there are any.
+    pub(crate) tie: Option<Tie<F>>,
 }
 
 impl<F: Float> Hull<F> {
@@ -221,7 +224,7 @@ impl<F: Float> Branch<F> {
     where
         F: 'b,
     {
-        let Equation { a, tension, stuck, slips } = Equation::new(system, modes);
+        let Equation { a, tension, stuck, slips, tie } = Equation::new(system, modes);
         let degree = degree_of_full_accuracy::<F>();
         let transposed = a.transposed();
         // As where a contact slides the other way.
@@ -237,6 +240,7 @@ impl<F: Float> Branch<F> {
         let powers = Series { transposed: &transposed, step, bound: &bound, degree };
         let mut guards = guards(system, modes, &tension, slips);
         guards.extend(releases(system, &stuck, &tension));
+        guards.iter_mut().for_each(|guard| tie.iter().for_each(|tie| tie.substitute(&mut guard.row)));
         let mut low = Vec::with_capacity(guards.len());
         let mut all = Vec::with_capacity(guards.len());
         for guard in &mut guards {
@@ -257,7 +261,21 @@ impl<F: Float> Branch<F> {
         let mut terms = is_small::<F>(system.size).then(|| Propagator::zero(0, 0));
         let whole = Propagator::new(&transposed, system.free, step, degree, terms.as_mut());
         let modes = modes.to_vec();
-        Self { modes, a, transposed, step, whole, terms, bound, degree, guards, speed_errors, hull, tension }
+        Self {
+            modes,
+            a,
+            transposed,
+            step,
+            whole,
+            terms,
+            bound,
+            degree,
+            guards,
+            speed_errors,
+            hull,
+            tension,
+            tie,
+        }
     }
 
     /// Its memory in bytes.
@@ -285,6 +303,11 @@ impl<F: Float> Branch<F> {
     /// The size of an entry of `A z`: `|A| |z|`.
     pub(crate) fn size_of_slope(&self, place: usize, z: &[F]) -> F {
         self.a.size_of(place, z)
+    }
+
+    /// The roundings of a coefficient of the polynomial of a row of this length, in units of ε.
+    pub(crate) fn roundings(&self, length: usize) -> F {
+        integer((self.degree + 1) * (length + 3))
     }
 
     /// `A z`.
@@ -401,7 +424,9 @@ fn guards<F: Float>(
                     add(i, Trigger::Releases { forward }, row);
                 }
             }
-            (Mode::Away, Rule::Stop { depth, .. }) => add(i, Trigger::Closes, times(depth, -one)),
+            (Mode::Away, Rule::Stop { depth, .. } | Rule::Hard { depth, .. }) => {
+                add(i, Trigger::Closes, times(depth, -one))
+            }
             (Mode::Pressed, Rule::Stop { .. }) => add(i, Trigger::Opens, tension.clone()),
             (Mode::Lifted, Rule::Stop { depth, .. }) => {
                 add(i, Trigger::Clears, depth.clone());
@@ -447,7 +472,8 @@ pub(crate) fn static_bound<F: Float>(part: &Part<F>) -> Vec<F> {
     row
 }
 
-/// The guards of the contacts that stick: `Σ |gᵢ| Rᵢ ∓ Σ gᵢ Tᵢ` for each facet g of what they can hold.
+/// The guards of the contacts that stick: `Σ |gᵢ| Rᵢ ∓ Σ gᵢ Tᵢ` for each facet g of what they can hold. A stop that gives no way holds any
+/// force ≥ 0: its bound is 0 on one side, and there is none on the other.
 fn releases<F: Float>(system: &Assembly<F>, stuck: &[usize], tension: &[Vec<F>]) -> Vec<Guard<F>> {
     let parts = || stuck.iter().filter_map(|&i| system.parts.get(i));
     let facets: Vec<Vec<(usize, F)>> = if system.is_dependent {
@@ -461,6 +487,13 @@ fn releases<F: Float>(system: &Assembly<F>, stuck: &[usize], tension: &[Vec<F>])
         for forward in [true, false] {
             let mut row = vec![F::int(0); system.size];
             let mut members = Vec::new();
+            let presses = |&(place, g): &(usize, F)| {
+                let rule = stuck.get(place).and_then(|&i| system.parts.get(i)).map(|part| &part.rule);
+                matches!(rule, Some(Rule::Hard { .. })) && (g > F::int(0)) == forward
+            };
+            if facet.iter().any(presses) {
+                continue;
+            }
             for &(place, g) in &facet {
                 let Some(&element) = stuck.get(place) else { continue };
                 if let (Some(tension), Some(bound)) = (tension.get(element), bounds.get(place)) {

@@ -31,7 +31,7 @@ impl<F: Float> Drift<F> {
         let mut noticed: Vec<Vec<F>> = system.stiffness.rows().map(<[F]>::to_vec).collect();
         for part in &system.parts {
             let row = match &part.rule {
-                Rule::Stop { depth, .. } => Some(depth.as_slice()),
+                Rule::Stop { depth, .. } | Rule::Hard { depth, .. } => Some(depth.as_slice()),
                 Rule::Contact { .. } | Rule::Elastic { .. } => part.normal(),
             };
             noticed.extend(row.and_then(|row| row.get(..n)).map(<[F]>::to_vec));
@@ -42,7 +42,9 @@ impl<F: Float> Drift<F> {
         noticed.extend(placed.map(|moved| unit(n, moved.coordinate)));
         // In units in which each coordinate has the mass 1, and each row the size 1.
         let moved = |i: usize| system.moved.iter().any(|moved| moved.coordinate == i);
-        let mass = |i: usize| if moved(i) { F::int(1) } else { system.mass.at(i, i) };
+        let mass = |i: usize| {
+            if moved(i) || system.massless.contains(&i) { F::int(1) } else { system.mass.at(i, i) }
+        };
         let scale: Vec<F> = (0..n).map(|i| F::int(1) / mass(i).sqrt()).collect();
         let mut gram = Matrix::zero(n, n);
         for row in &noticed {
@@ -87,6 +89,12 @@ impl<F: Float> Drift<F> {
                 add_times(&mut u, -share, &way.u);
             }
             let mut dual = system.mass.of(&u);
+            // What has no mass is measured by itself.
+            for &i in &system.massless {
+                if let (Some(dual), Some(&x)) = (dual.get_mut(i), u.get(i)) {
+                    *dual = x;
+                }
+            }
             for way in ways.iter().take(carried) {
                 let share = dot(&dual, &way.u);
                 add_times(&mut dual, -share, &way.dual);
@@ -185,10 +193,11 @@ impl<F: Float> Natural<F> {
                     stiffness = stiffness.or_larger(*own);
                 }
                 Rule::Stop { stiffness: own, .. } => stiffness = stiffness.or_larger(*own),
+                Rule::Hard { .. } => {}
             }
         }
         let moved = |i: &usize| system.moved.iter().any(|moved| moved.coordinate == *i);
-        let mass = (0..n).filter(|i| !moved(i)).map(|i| system.mass.at(i, i));
+        let mass = (0..n).filter(|i| !moved(i) && !system.massless.contains(i)).map(|i| system.mass.at(i, i));
         let mass = mass.reduce(|a, b| if b < a { b } else { a }).unwrap_or(F::int(1));
         let rate = (stiffness / mass).sqrt();
         let displacement = if stiffness > zero { force / stiffness } else { force / mass * time * time };

@@ -1,6 +1,7 @@
 //! The linear equation of a branch, `z′ = A z`, with the forces of all elements, and the greatest rate in it.
 
 use super::assembly::{Assembly, Part, Rule, unit};
+use super::massless::Tie;
 use super::matrix::{Matrix, Sparse, add_times, entries};
 use crate::float::Float;
 use alloc::vec;
@@ -25,6 +26,15 @@ pub(crate) enum Mode {
     Pressed,
     /// A stop beyond its gap, which would have to pull.
     Lifted,
+    /// A stop that gives no way, in touch.
+    Resting,
+}
+
+impl Mode {
+    /// Whether the force is sought that keeps the velocity at 0.
+    pub(crate) const fn is_held(self) -> bool {
+        matches!(self, Self::Stuck | Self::Resting)
+    }
 }
 
 /// The equation while each element keeps its mode.
@@ -32,10 +42,12 @@ pub(crate) struct Equation<F> {
     pub(crate) a: Sparse<F>,
     /// The row of each element's force.
     pub(crate) tension: Vec<Vec<F>>,
-    /// The contacts that stick.
+    /// The contacts that stick, and the stops in touch that give no way.
     pub(crate) stuck: Vec<usize>,
     /// The row of the velocity of the slider of each elastic contact that yields, in its direction: `s v − (r N)′/k`.
     pub(crate) slips: Vec<Vec<F>>,
+    /// What coordinates without mass do, if there are any.
+    pub(crate) tie: Option<Tie<F>>,
 }
 
 impl<F: Float> Equation<F> {
@@ -47,14 +59,19 @@ impl<F: Float> Equation<F> {
         for (i, ((part, mode), tension)) in system.parts.iter().zip(modes).zip(&mut tension).enumerate() {
             match given_tension(part, *mode) {
                 Some(row) => *tension = row,
-                None if *mode == Mode::Stuck => stuck.push(i),
+                None if mode.is_held() => stuck.push(i),
                 None => {}
             }
             apply(&mut force, &part.direction, tension);
         }
+        let tie = (!system.massless.is_empty()).then(|| Tie::new(system, modes, &stuck, &force));
         let inverse = inverse_by_shares(system, &stuck);
         // The second round takes out the rounding of the first, which would set what is stuck in motion after a long time.
         for _ in 0..if stuck.is_empty() { 0 } else { 3 } {
+            if let Some(tie) = &tie {
+                tie.hold(system, &stuck, &mut force, &mut tension);
+                continue;
+            }
             let left: Vec<Vec<F>> = stuck
                 .iter()
                 .filter_map(|&i| system.parts.get(i))
@@ -72,6 +89,10 @@ impl<F: Float> Equation<F> {
                 }
             }
         }
+        if let Some(tie) = &tie {
+            (0..n).for_each(|i| tie.substitute(force.row_mut(i)));
+            tension.iter_mut().for_each(|row| tie.substitute(row));
+        }
         let mut free = Matrix::zero(system.free, size);
         for i in 0..n {
             free.set(i, n + i, F::int(1));
@@ -81,13 +102,21 @@ impl<F: Float> Equation<F> {
         for driven in &system.moved {
             free.row_mut(n + driven.coordinate).copy_from_slice(&driven.acceleration);
         }
+        for &(slot, ref row) in tie.iter().flat_map(Tie::rows) {
+            free.row_mut(slot - n).copy_from_slice(row);
+        }
+        let velocity = |part: &Part<F>| {
+            let mut row = part.velocity.clone();
+            tie.iter().for_each(|tie| tie.substitute(&mut row));
+            row
+        };
         let mut slips = vec![Vec::new(); modes.len()];
         for ((part, mode), slip) in system.parts.iter().zip(modes).zip(&mut slips) {
             let Rule::Elastic { stiffness, place, bound, normal } = &part.rule else { continue };
             match mode {
-                Mode::Holds => add_times(free.row_mut(*place), *stiffness, &part.velocity),
+                Mode::Holds => add_times(free.row_mut(*place), *stiffness, &velocity(part)),
                 Mode::Yields { forward } => {
-                    *slip = part.velocity.iter().map(|&v| sign::<F>(*forward) * v).collect();
+                    *slip = velocity(part).into_iter().map(|v| sign::<F>(*forward) * v).collect();
                     if normal.is_some() {
                         let mut rate = system.derivative(bound);
                         for (i, &by) in bound.iter().enumerate().take(2 * n) {
@@ -100,8 +129,16 @@ impl<F: Float> Equation<F> {
                     }
                 }
                 Mode::Stuck | Mode::Slides { .. } | Mode::Apart => {}
-                Mode::Away | Mode::Pressed | Mode::Lifted => {}
+                Mode::Away | Mode::Pressed | Mode::Lifted | Mode::Resting => {}
             }
+        }
+        // The velocities of what has no mass change as those that they follow from.
+        for &(slot, ref row) in tie.iter().flat_map(Tie::rows) {
+            let mut rate = system.derivative(row);
+            for (&by, row) in row.iter().zip(free.rows()).filter(|(by, _)| **by != zero) {
+                add_times(&mut rate, by, row);
+            }
+            free.row_mut(slot).copy_from_slice(&rate);
         }
         let mut given = vec![Vec::new(); size - system.free];
         let mut set = |row: usize, column: usize, value: F| {
@@ -119,7 +156,7 @@ impl<F: Float> Equation<F> {
             set(place, place + 1, F::int(1));
         }
         let rows = free.rows().map(entries).chain(given);
-        Self { a: Sparse::new(size, rows), tension, stuck, slips }
+        Self { a: Sparse::new(size, rows), tension, stuck, slips, tie }
     }
 }
 
@@ -189,7 +226,7 @@ fn apply<F: Float>(force: &mut Matrix<F>, direction: &[F], tension: &[F]) {
 }
 
 /// G⁻¹ of the contacts that stick. Dependent ones share their force in proportion to their bounds, as far as that holds it:
-/// with the least `Σ Tᵢ²/Rᵢ`.
+/// with the least `Σ Tᵢ²/Rᵢ`. A stop that gives no way takes most of it, as one with 2¹⁰ times the greatest bound.
 fn inverse_by_shares<F: Float>(system: &Assembly<F>, stuck: &[usize]) -> Matrix<F> {
     let coupling = system.coupling_of(stuck);
     if !system.is_dependent {
@@ -204,7 +241,12 @@ fn inverse_by_shares<F: Float>(system: &Assembly<F>, stuck: &[usize]) -> Matrix<
     if largest <= F::int(0) {
         return coupling.pseudo_inverse();
     }
-    let roots: Vec<F> = bounds.iter().map(|&x| (x / largest).or_larger(F::exp2i(-20)).sqrt()).collect();
+    let is_stop = |i: &usize| matches!(system.parts.get(*i).map(|part| &part.rule), Some(Rule::Hard { .. }));
+    let root = |(i, &x): (&usize, &F)| {
+        let share = if is_stop(i) { F::exp2i(10) } else { (x / largest).or_larger(F::exp2i(-20)) };
+        share.sqrt()
+    };
+    let roots: Vec<F> = stuck.iter().zip(&bounds).map(root).collect();
     let scaled = |matrix: &Matrix<F>| {
         let mut result = matrix.clone();
         for (i, &a) in roots.iter().enumerate() {

@@ -1,6 +1,7 @@
 //! The events of a motion, and what watches them and the stretches between.
 
 use super::assembly::Assembly;
+use super::blow::{Blow, Reset};
 use super::branch::Branch;
 use super::propagator::Propagator;
 use crate::named::named;
@@ -26,6 +27,8 @@ named! {
         Open = "open",
         /// A stop, or a contact's normal load, begins.
         Close = "close",
+        /// A body hits a stop that gives no way.
+        Blow = "blow",
         /// The quantity of a level passes its value upwards.
         Rise = "rise",
         /// The quantity of a level passes its value downwards.
@@ -36,6 +39,7 @@ named! {
 /// An event.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct Event<F> {
     /// Its time.
     pub time: F,
@@ -43,6 +47,8 @@ pub struct Event<F> {
     pub element: usize,
     /// Its kind.
     pub kind: EventKind,
+    /// The velocities along the stop before and after a blow; none of other events.
+    pub velocities: Option<(F, F)>,
 }
 
 /// What watches a motion.
@@ -51,9 +57,11 @@ pub(crate) trait Watch<F> {
     fn stretch(&mut self, system: &Assembly<F>, stretch: &Stretch<'_, F>);
     /// An event.
     fn event(&mut self, event: Event<F>);
+    /// The velocities jump at a stop that gives no way; `to` is the state afterwards.
+    fn blow(&mut self, _system: &Assembly<F>, _blow: &Blow<F>, _to: &[F]) {}
     /// The branch changes where the guard's row is zero, and the derivative of the state from `from` to `to`. Without a guard it changes
-    /// with a sample, or with the event before it.
-    fn changes(&mut self, _guard: Option<&[F]>, _from: &[F], _to: &[F]) {}
+    /// with a sample, or with the event before it. With a reset the velocities jump, too.
+    fn changes(&mut self, _guard: Option<&[F]>, _reset: Option<&Reset<F>>, _from: &[F], _to: &[F]) {}
     /// Whether it has seen enough: the motion then ends.
     fn is_over(&self) -> bool {
         false

@@ -1,6 +1,7 @@
 //! The motion, from event to event.
 
 use super::assembly::{Assembly, Part, Rule};
+use super::blow::{Blows, Strike, place_at_gap, strike};
 use super::branch::{Branch, LOW_COUNT, Trigger};
 use super::branches::Branches;
 use super::equation::{Mode, sign};
@@ -8,12 +9,14 @@ use super::error::Error;
 use super::events::{Event, EventKind, Stretch, Watch};
 use super::first_passage::first_passage;
 use super::kept::Kept;
+use super::massless;
 use super::matrix::{Sum, absolute, add_times, dot, size_of_dot};
 use super::model::State;
 use super::next_branch::{AtRest, at_rest, decide, follows};
 use super::propagator::Propagator;
 use crate::float::Float;
 use crate::machine::error::written;
+use alloc::string::String;
 use alloc::vec;
 use alloc::vec::Vec;
 
@@ -33,6 +36,8 @@ pub(crate) struct Follower<'a, F> {
     branches: Branches<F>,
     /// What contacts at rest keep.
     kept: Kept<F>,
+    /// What is known of the stops that give no way.
+    blows: Blows<F>,
     pub(crate) z: Vec<F>,
     clock: Sum<F>,
     /// The instant of the next sample of a record.
@@ -58,6 +63,7 @@ pub(crate) struct Saved<F> {
     time: F,
     modes: Vec<Mode>,
     kept: Kept<F>,
+    blows: Blows<F>,
 }
 
 /// A guard that has reached zero.
@@ -87,6 +93,7 @@ impl<'a, F: Float> Follower<'a, F> {
             system,
             branches: Branches::new(longest),
             kept: Kept::new(),
+            blows: Blows::new(system),
             z,
             clock: Sum::at(F::int(0)),
             sample: None,
@@ -153,7 +160,8 @@ impl<'a, F: Float> Follower<'a, F> {
     /// The motion as it is, to be taken up again.
     pub(crate) fn saved(&self) -> Saved<F> {
         let modes = self.branch().map_or_else(Vec::new, |branch| branch.modes.clone());
-        Saved { z: self.z.clone(), time: self.time(), modes, kept: self.kept.clone() }
+        let (kept, blows) = (self.kept.clone(), self.blows.clone());
+        Saved { z: self.z.clone(), time: self.time(), modes, kept, blows }
     }
 
     /// Takes a motion up again, without a new choice of its branch.
@@ -164,6 +172,7 @@ impl<'a, F: Float> Follower<'a, F> {
         self.set_sample();
         self.branches.enter(self.system, &saved.modes);
         self.kept.clone_from(&saved.kept);
+        self.blows.clone_from(&saved.blows);
     }
 
     /// Moves the displacements by steps that no force notices.
@@ -227,6 +236,13 @@ impl<'a, F: Float> Follower<'a, F> {
             self.set_sample();
             return Ok(());
         }
+        if !self.system.massless.is_empty() {
+            let old = self.branch().map_or_else(Vec::new, |branch| branch.modes.clone());
+            self.set_sample();
+            let modes = self.choose()?;
+            self.tell(&old, &modes, &[], None, watch);
+            return Ok(());
+        }
         let speeds =
             |z: &[F]| -> Vec<F> { self.system.parts.iter().map(|part| dot(&part.velocity, z)).collect() };
         let before = speeds(&self.z);
@@ -238,27 +254,81 @@ impl<'a, F: Float> Follower<'a, F> {
             return Ok(());
         }
         let old = self.branch().map_or_else(Vec::new, |branch| branch.modes.clone());
+        self.blows.clear();
         let modes = self.choose()?;
-        self.tell(&old, &modes, &[], watch);
+        self.tell(&old, &modes, &[], None, watch);
         Ok(())
     }
 
-    /// Whether rounding cannot tell a contact's velocity from zero, by what it could be within a step.
     fn is_slow(&self, element: usize) -> bool {
-        let Some(part) = self.system.parts.get(element) else { return false };
-        let error = self.branch().map(|branch| branch.speed_error(element, &part.velocity));
-        let bound = error.map_or(F::int(0), |error| size_of_dot(error, &self.z));
-        dot(&part.velocity, &self.z).abs() <= bound * F::int(4)
+        self.branch().is_some_and(|branch| is_slow(self.system, branch, element, &self.z))
     }
 
     /// Chooses the first branch.
     fn begin(&mut self) -> Result<(), Error> {
         self.kept.clear();
+        self.blows.clear();
+        if !self.system.massless.is_empty() {
+            // Where it changes which stops are in touch, there is another balance.
+            for _ in 0..8 {
+                let (modes, resting) = self.modes_of_state()?;
+                let open = massless::open(self.system, &self.z, &modes, &resting);
+                massless::balance(self.system, &mut self.z, &modes, &open);
+                if self.modes_of_state()?.0 == modes {
+                    break;
+                }
+            }
+        }
         self.choose().map(|_| ())
+    }
+
+    /// Decides what acts on coordinates without mass, and the contacts at rest, and enters the branch: `first` are the modes to
+    /// be taken where they are consistent.
+    fn choose_light(&mut self, first: &[Vec<Mode>], resting: &[usize]) -> Result<Vec<Mode>, Error> {
+        let system = self.system;
+        let open = massless::open(system, &self.z, first.first().map_or(&[], Vec::as_slice), resting);
+        let found = massless::decide(system, &mut self.branches, &self.z, first, &open);
+        let (modes, z) = found.map_err(|free| match free {
+            Some(coordinate) => system.without_mass(
+                coordinate,
+                "is held neither by a spring or damper nor by a contact that sticks: give it one of these, or a mass",
+            ),
+            None => self.undecided(open.first().copied().unwrap_or(0)),
+        })?;
+        self.z = z;
+        self.enter(&modes);
+        Ok(modes)
     }
 
     /// Chooses the branch by the state alone, and enters it.
     fn choose(&mut self) -> Result<Vec<Mode>, Error> {
+        let (mut modes, resting) = self.modes_of_state()?;
+        if !self.system.massless.is_empty() {
+            let present = self.branch().map(|branch| branch.modes.clone());
+            let first: Vec<Vec<Mode>> = present.into_iter().chain([modes]).collect();
+            return self.choose_light(&first, &resting);
+        }
+        self.settle(&mut modes, resting.clone(), &[], true)?;
+        self.enter(&modes);
+        // A velocity that is zero but for rounding is told by the size that it could have within a step.
+        let mut resting = resting;
+        let mut still = Vec::new();
+        for (i, mode) in modes.iter().enumerate() {
+            if !resting.contains(&i) && self.may_rest(i, *mode) {
+                still.push(i);
+            }
+        }
+        if !still.is_empty() {
+            resting.extend(still);
+            resting.sort_unstable();
+            self.settle(&mut modes, resting, &[], true)?;
+            self.enter(&modes);
+        }
+        Ok(modes)
+    }
+
+    /// The modes by the state alone, with the contacts at rest; those at coordinates without mass are not decided.
+    fn modes_of_state(&mut self) -> Result<(Vec<Mode>, Vec<usize>), Error> {
         let mut modes = Vec::with_capacity(self.system.parts.len());
         let mut resting = Vec::new();
         for (i, part) in self.system.parts.iter().enumerate() {
@@ -266,9 +336,28 @@ impl<'a, F: Float> Follower<'a, F> {
             let still = v.abs() <= size_of_dot(&part.velocity, &self.z) * F::epsilon() * F::int(64);
             let is_apart = part.normal().is_some_and(|row| dot(row, &self.z) < F::int(0));
             modes.push(match &part.rule {
+                Rule::Hard { depth, .. } => {
+                    let deep = dot(depth, &self.z);
+                    let doubt = size_of_dot(depth, &self.z) * F::epsilon() * F::int(256);
+                    if deep > doubt {
+                        return Err(self.beyond(part, deep));
+                    }
+                    if deep >= -doubt {
+                        place_at_gap(self.system, &mut self.z, &[i]);
+                        self.blows.arrive(i);
+                    }
+                    if deep >= -doubt && still {
+                        resting.push(i);
+                        Mode::Resting
+                    } else {
+                        Mode::Away
+                    }
+                }
                 Rule::Contact { .. } => {
                     if is_apart {
                         Mode::Apart
+                    } else if self.system.is_light(part) {
+                        Mode::Stuck
                     } else if still {
                         resting.push(i);
                         Mode::Stuck
@@ -306,35 +395,56 @@ impl<'a, F: Float> Follower<'a, F> {
                 }
             });
         }
-        self.settle(&mut modes, resting.clone(), &[], true)?;
-        self.enter(&modes);
-        // A velocity that is zero but for rounding is told by the size that it could have within a step.
-        let mut still = Vec::new();
-        for (i, mode) in modes.iter().enumerate() {
-            if matches!(mode, Mode::Slides { piece: 0, .. }) && !resting.contains(&i) && self.is_slow(i) {
-                still.push(i);
-            }
-        }
-        if !still.is_empty() {
-            for &i in &still {
-                if let Some(mode) = modes.get_mut(i) {
-                    *mode = Mode::Stuck;
-                }
-            }
-            resting.extend(still);
-            resting.sort_unstable();
-            self.settle(&mut modes, resting, &[], true)?;
-            self.enter(&modes);
-        }
-        Ok(modes)
+        Ok((modes, resting))
     }
 
-    /// Tells the events that lead from some modes to others.
-    fn tell(&self, old: &[Mode], new: &[Mode], touched: &[usize], watch: &mut impl Watch<F>) {
-        for (element, (old, new)) in old.iter().zip(new).enumerate() {
-            if let Some(kind) = kind_of(*old, *new, touched.contains(&element)) {
-                watch.event(Event { time: self.time(), element, kind });
+    /// Whether an element in motion may come to rest here: a contact that slides, or a body at a stop that gives no way, without a velocity
+    /// above rounding.
+    fn may_rest(&self, element: usize, mode: Mode) -> bool {
+        let is_at = || self.blows.is_at(self.system, &self.z, element);
+        (matches!(mode, Mode::Slides { piece: 0, .. }) || (mode == Mode::Away && is_at()))
+            && self.is_slow(element)
+    }
+
+    /// A body beyond a stop that gives no way.
+    fn beyond(&self, part: &Part<F>, deep: F) -> Error {
+        let at = if self.time() > F::int(0) {
+            alloc::format!(" at time {}", written(self.time()))
+        } else {
+            String::new()
+        };
+        Error::Unsupported {
+            name: alloc::format!("{}: displacement beyond its gap by {}{at}", part.name, written(deep)),
+            condition: "must be ≤ 0 at a stop with a restitution",
+        }
+    }
+
+    /// Tells the events that lead from some modes to others, with those of blows.
+    fn tell(
+        &self,
+        old: &[Mode],
+        new: &[Mode],
+        touched: &[usize],
+        strike: Option<&Strike<F>>,
+        watch: &mut impl Watch<F>,
+    ) {
+        let time = self.time();
+        for blow in strike.iter().flat_map(|strike| &strike.blows) {
+            watch.blow(self.system, blow, &self.z);
+            if blow.told.is_some() {
+                let (element, velocities) = (blow.element, blow.told);
+                watch.event(Event { time, element, kind: EventKind::Blow, velocities });
             }
+        }
+        for (element, (old, new)) in old.iter().zip(new).enumerate() {
+            let Some(kind) = kind_of(*old, *new, touched.contains(&element)) else { continue };
+            let time = match (kind, strike) {
+                // A blow turns what moves with the body.
+                (EventKind::Reverse | EventKind::Touch, Some(_)) => continue,
+                (EventKind::Close | EventKind::Stick, Some(strike)) => time + strike.later,
+                _ => time,
+            };
+            watch.event(Event { time, element, kind, velocities: None });
         }
     }
 
@@ -369,8 +479,17 @@ impl<'a, F: Float> Follower<'a, F> {
             resting.iter().map(|&element| AtRest { element, released: release(element) }).collect();
         let choices = decide(system, &self.z, &contacts, modes).map_err(|element| self.undecided(element))?;
         for (contact, choice) in contacts.iter().zip(choices) {
-            if let Some(mode) = modes.get_mut(contact.element) {
-                *mode = choice.map_or(Mode::Stuck, |forward| Mode::Slides { forward, piece: 0 });
+            let Some(mode) = modes.get_mut(contact.element) else { continue };
+            let is_stop =
+                matches!(system.parts.get(contact.element).map(|p| &p.rule), Some(Rule::Hard { .. }));
+            *mode = match choice {
+                None if is_stop => Mode::Resting,
+                None => Mode::Stuck,
+                Some(_) if is_stop => Mode::Away,
+                Some(forward) => Mode::Slides { forward, piece: 0 },
+            };
+            if is_stop {
+                self.blows.arrive(contact.element);
             }
         }
         Ok(())
@@ -438,9 +557,21 @@ impl<'a, F: Float> Follower<'a, F> {
         let values = self.values.as_chunks().0;
         let clear = values.iter().zip(&self.errors).all(certain);
         let mut event: Option<(F, usize)> = None;
-        if !clear {
+        let is_near = self.blows.is_near();
+        if !clear || is_near {
             let open = values.iter().zip(&self.errors).map(certain);
             for ((number, guard), is_certain) in branch.guards.iter().enumerate().zip(open) {
+                if is_near {
+                    let state = (&*self.z, &*self.sizes);
+                    if let Some(found) = self.blows.passage(branch, guard, state, time / branch.step) {
+                        if let Some(at) = found
+                            && event.is_none_or(|(first, _)| at < first)
+                        {
+                            event = Some((at, number));
+                        }
+                        continue;
+                    }
+                }
                 if is_certain {
                     continue;
                 }
@@ -481,9 +612,11 @@ impl<'a, F: Float> Follower<'a, F> {
             let at = self.clock.value;
             watch.stretch(system, &Stretch { branch, from, to, time: lasted, at, motion });
         }
-        if lasted > branch.step * F::exp2i(-24) {
+        // A flight between small blows takes its time.
+        if lasted > branch.step * F::exp2i(-24) || (is_near && lasted > F::int(0)) {
             self.instant = 0;
         }
+        self.blows.moved(system, &self.sizes, part, lasted);
         core::mem::swap(&mut self.z, &mut self.after);
         self.kept.hold(system, branch, &mut self.z);
         if event.is_none() && !whole {
@@ -532,7 +665,7 @@ impl<'a, F: Float> Follower<'a, F> {
             return Err(self.undecided(fired.first().map_or(0, |f| f.element)));
         }
         let mut modes = before.clone();
-        let (mut touched, mut released) = (Vec::new(), Vec::new());
+        let (mut touched, mut released, mut hit) = (Vec::new(), Vec::new(), Vec::new());
         for Fired { element, trigger, others, .. } in fired {
             let (Some(part), Some(mode)) = (system.parts.get(*element), modes.get_mut(*element)) else {
                 continue;
@@ -585,6 +718,7 @@ impl<'a, F: Float> Follower<'a, F> {
                     let velocity = dot(&part.velocity, &self.z);
                     *mode = if self.is_slow(*element) { Mode::Stuck } else { slides(rule, velocity) };
                 }
+                (Trigger::Closes, Rule::Hard { .. }) => hit.push(*element),
                 (Trigger::Closes | Trigger::Presses, _) => *mode = Mode::Pressed,
                 (Trigger::Opens, Rule::Stop { depth, .. }) => {
                     // Within rounding of its gap it is there.
@@ -596,21 +730,54 @@ impl<'a, F: Float> Follower<'a, F> {
                 (Trigger::Opens | Trigger::Clears, _) => *mode = Mode::Away,
             }
         }
-        let mut resting = Vec::new();
-        for (i, mode) in modes.iter().enumerate() {
-            if *mode == Mode::Stuck || (matches!(mode, Mode::Slides { piece: 0, .. }) && self.is_slow(i)) {
-                resting.push(i);
-            }
+        let strike = self.strike(&mut modes, &hit)?;
+        let is_resting = |(i, mode): (usize, &Mode)| mode.is_held() || self.may_rest(i, *mode);
+        let resting: Vec<usize> =
+            modes.iter().enumerate().filter(|one| is_resting(*one)).map(|one| one.0).collect();
+        if system.massless.is_empty() {
+            let arrives =
+                strike.is_some() || resting.iter().any(|&i| !before.get(i).is_some_and(|m| m.is_held()));
+            self.settle(&mut modes, resting, &released, arrives)?;
+        } else {
+            modes = self.choose_light(&[modes, before.clone()], &resting)?;
         }
-        let arrives = resting.iter().any(|&i| before.get(i) != Some(&Mode::Stuck));
-        self.settle(&mut modes, resting, &released, arrives)?;
-        self.tell(&before, &modes, &touched, watch);
+        if strike.is_none() {
+            self.blows.disturb();
+        }
+        self.tell(&before, &modes, &touched, strike.as_ref(), watch);
         self.enter(&modes);
         if let (Some(branch), Some((row, from))) = (self.branch(), change) {
-            watch.changes(row.as_deref(), &from, &branch.derivative(&self.z));
+            let reset = strike.as_ref().map(|strike| &strike.reset);
+            watch.changes(row.as_deref(), reset, &from, &branch.derivative(&self.z));
         }
         Ok(())
     }
+
+    /// The blows at stops that are hit, and the contacts after them: those whose velocity they change slide.
+    fn strike(&mut self, modes: &mut [Mode], hit: &[usize]) -> Result<Option<Strike<F>>, Error> {
+        let system = self.system;
+        let Some(branch) = self.branches.current().filter(|_| !hit.is_empty()) else { return Ok(None) };
+        let is_slow = |element: usize, z: &[F]| is_slow(system, branch, element, z);
+        let struck = strike(system, branch, &mut self.z, modes, hit, &mut self.blows, is_slow);
+        let struck = struck.map_err(|element| self.undecided(element))?;
+        for (i, (part, mode)) in system.parts.iter().zip(modes).enumerate() {
+            if matches!(mode, Mode::Stuck | Mode::Slides { .. }) {
+                *mode = if self.is_slow(i) {
+                    Mode::Stuck
+                } else {
+                    slides(&part.rule, dot(&part.velocity, &self.z))
+                };
+            }
+        }
+        Ok(Some(struck))
+    }
+}
+
+/// Whether rounding cannot tell the velocity along an element from zero, by what it could be within a step.
+fn is_slow<F: Float>(system: &Assembly<F>, branch: &Branch<F>, element: usize, z: &[F]) -> bool {
+    let Some(part) = system.parts.get(element) else { return false };
+    let bound = size_of_dot(branch.speed_error(element, &part.velocity), z);
+    dot(&part.velocity, z).abs() <= bound * F::int(4)
 }
 
 /// Leaves out the last coefficients, as long as their sum is far below the error.
@@ -635,7 +802,7 @@ pub(crate) fn shortened<F: Float>(mut c: &[F], error: F) -> &[F] {
 fn slides<F: Float>(rule: &Rule<F>, v: F) -> Mode {
     let piece = match rule {
         Rule::Contact { pieces, .. } => pieces.partition_point(|p| p.from <= v.abs()).saturating_sub(1),
-        Rule::Elastic { .. } | Rule::Stop { .. } => 0,
+        Rule::Elastic { .. } | Rule::Stop { .. } | Rule::Hard { .. } => 0,
     };
     Mode::Slides { forward: v > F::int(0), piece }
 }
@@ -657,8 +824,8 @@ fn kind_of(old: Mode, new: Mode, touched: bool) -> Option<EventKind> {
         }
         (Mode::Holds, Mode::Yields { .. }) => Some(EventKind::Yield),
         (Mode::Yields { .. }, Mode::Holds) => Some(EventKind::Lock),
-        (Mode::Away | Mode::Lifted, Mode::Pressed) => Some(EventKind::Close),
-        (Mode::Pressed, Mode::Away | Mode::Lifted) => Some(EventKind::Open),
+        (Mode::Away | Mode::Lifted, Mode::Pressed | Mode::Resting) => Some(EventKind::Close),
+        (Mode::Pressed | Mode::Resting, Mode::Away | Mode::Lifted) => Some(EventKind::Open),
         _ => None,
     }
 }

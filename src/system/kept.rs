@@ -14,7 +14,7 @@ use alloc::vec::Vec;
 /// After so many steps the state is brought back to what is kept. Rounding of fewer steps is below what is printed.
 const STEPS: u32 = 128;
 
-/// The kept numbers of all elements: y₀ of a contact that sticks, T − k y of an elastic contact that holds.
+/// The kept numbers of all elements: y₀ of a contact that sticks or of a stop that gives no way, T − k y of an elastic contact that holds.
 #[derive(Debug, Clone)]
 pub(crate) struct Kept<F> {
     numbers: Vec<Option<F>>,
@@ -38,7 +38,7 @@ impl<F: Float> Kept<F> {
         self.numbers.resize(system.parts.len(), None);
         for ((number, part), mode) in self.numbers.iter_mut().zip(&system.parts).zip(&branch.modes) {
             *number = match (mode, &part.rule, &part.stretch) {
-                (Mode::Stuck, _, Some(stretch)) => number.or_else(|| Some(dot(stretch, z))),
+                (Mode::Stuck | Mode::Resting, _, Some(stretch)) => number.or_else(|| Some(dot(stretch, z))),
                 (Mode::Holds, Rule::Elastic { stiffness, place, .. }, Some(stretch)) => {
                     number.or_else(|| {
                         let force = z.get(*place).copied()?;
@@ -69,13 +69,16 @@ impl<F: Float> Kept<F> {
     fn restore(&self, system: &Assembly<F>, branch: &Branch<F>, z: &mut [F]) {
         let n = system.n;
         let stuck: Vec<usize> =
-            (0..branch.modes.len()).filter(|&i| branch.modes.get(i) == Some(&Mode::Stuck)).collect();
-        at_rest(system, z, &stuck);
+            (0..branch.modes.len()).filter(|&i| branch.modes.get(i).is_some_and(|m| m.is_held())).collect();
+        match &branch.tie {
+            Some(tie) => tie.project(system, &branch.modes, z),
+            None => at_rest(system, z, &stuck),
+        }
         let mut apart = Vec::new();
         let mut held = Vec::new();
         for i in stuck {
             if let (Some(part), Some(Some(number))) = (system.parts.get(i), self.numbers.get(i))
-                && let Some(stretch) = &part.stretch
+                && let Some(stretch) = part.stretch.as_ref().filter(|_| !system.is_light(part))
             {
                 apart.push(dot(stretch, z) - *number);
                 held.push(i);

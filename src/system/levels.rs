@@ -63,7 +63,8 @@ impl Sides {
                 *above = Some(!side);
                 let kind = if side { EventKind::Fall } else { EventKind::Rise };
                 let time = stretch.at + stretch.time * begin;
-                events.push(Event { time, element: system.parts.len() + i, kind });
+                let element = system.parts.len() + i;
+                events.push(Event { time, element, kind, velocities: None });
                 if length <= F::int(0) {
                     break;
                 }

@@ -10,8 +10,12 @@ use alloc::vec::Vec;
 /// All numbers are in one consistent system of units, with frequencies in radians per unit of time. Nothing is
 /// checked before [`System::new`](super::System::new).
 #[derive(Debug, Clone, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, bound(deserialize = "F: Default + serde::Deserialize<'de>")))]
 pub struct Model<F> {
-    /// M by rows: symmetric and positive definite.
+    /// The names of the coordinates, which errors use; their places where it is empty.
+    pub coordinates: Vec<String>,
+    /// M by rows: symmetric and positive definite, but for coordinates whose row is 0. These have no mass: their forces balance.
     pub mass: Vec<Vec<F>>,
     /// C by rows.
     pub damping: Vec<Vec<F>>,
@@ -33,6 +37,7 @@ pub struct Model<F> {
 
 /// A value that `displacement·q + velocity·q′` passes.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Level<F> {
     /// The name that errors and answers use.
     pub name: String,
@@ -46,6 +51,7 @@ pub struct Level<F> {
 
 /// The load `sin · sin ωt + cos · cos ωt`.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Harmonic<F> {
     /// ω > 0.
     pub frequency: F,
@@ -57,6 +63,7 @@ pub struct Harmonic<F> {
 
 /// The load `force · p(t)`, where p is straight between its samples.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Record<F> {
     /// The times of the samples, which increase. Two samples at one time are a step of the load.
     pub times: Vec<F>,
@@ -70,6 +77,8 @@ pub struct Record<F> {
 
 /// What a record is beyond its samples.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Beyond {
     /// Zero before the first sample and after the last.
     #[default]
@@ -84,6 +93,7 @@ pub enum Beyond {
 /// `constant + Σ (sin sin ωt + cos cos ωt) + Σ (records p + rates p′)` over the harmonics and the records of the model, in their
 /// order. Factors are zero where a list ends early.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Signal<F> {
     /// The constant part.
     pub constant: F,
@@ -107,6 +117,7 @@ impl<F: Float> Signal<F> {
 
 /// A coordinate whose motion is prescribed, whatever force that takes: a carriage, a shaken support, the pulled end of a spring.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Moved<F> {
     /// Its place among the coordinates.
     pub coordinate: usize,
@@ -118,6 +129,8 @@ pub struct Moved<F> {
 
 /// The quantity that is prescribed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum MovedBy {
     /// The displacement. Its velocity changes at once at the samples of a record, and its displacement at two values at one time.
     Displacement,
@@ -131,6 +144,7 @@ pub enum MovedBy {
 ///
 /// It adds no load: that of a base which moves with the acceleration a is `−M influence · a`, among the loads of the model.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Base<F> {
     /// ι: the displacement of each coordinate where the base alone moves by 1.
     pub influence: Vec<F>,
@@ -142,6 +156,7 @@ pub struct Base<F> {
 ///
 /// Its force acts along a direction b: `y = b·q − Y(t)` is its stretch and `v = b·q′ − V(t)` its velocity.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Element<F> {
     /// The name that errors and answers use.
     pub name: String,
@@ -155,6 +170,8 @@ pub struct Element<F> {
 
 /// The law of an element.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Kind<F> {
     /// Dry friction: it sticks while `|T| ≤ peak r(0) N`, and slides with `T = r(|v|) N sgn v`.
     Contact {
@@ -184,11 +201,20 @@ pub enum Kind<F> {
         /// The damping constant.
         damping: F,
     },
+    /// A stop that gives no way: where y reaches the gap with a velocity v > 0, that becomes −restitution · v at once. After ever smaller
+    /// blows, and with the restitution 0 after the first, it holds y = gap with a force T ≥ 0, and opens where T would be below 0.
+    HardStop {
+        /// The gap.
+        gap: F,
+        /// The coefficient of restitution, from 0 to 1.
+        restitution: F,
+    },
 }
 
 /// The normal load of a contact, `signal + displacement·q + velocity·q′`; the contact is open while it is below 0. It does not
 /// change at once.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Normal<F> {
     /// The part that depends on time.
     pub signal: Signal<F>,
@@ -202,6 +228,7 @@ pub struct Normal<F> {
 ///
 /// Beyond the last point the last straight line goes on, if it falls down to zero, and stays there.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Law<F> {
     /// Speeds, which increase from 0, with the friction force at each.
     pub points: Vec<(F, F)>,

@@ -24,7 +24,9 @@ impl<F: Float> System<F> {
     pub fn natural_frequencies(&self, held: &[usize]) -> Vec<F> {
         let system = &self.assembly;
         let (n, zero, one) = (system.n, F::int(0), F::int(1));
-        let root = system.inverse_root_of_mass();
+        let is_light = !system.massless.is_empty();
+        let root = if is_light { Matrix::identity(n) } else { system.inverse_root_of_mass() };
+        let mut directions: Vec<Vec<F>> = Vec::new();
         let mut stiffness = system.sliding_stiffness(one, held);
         let mut holds: Vec<Vec<F>> = system.moved.iter().map(|moved| unit(n, moved.coordinate)).collect();
         for part in held.iter().filter_map(|&place| system.parts.get(place)) {
@@ -34,7 +36,8 @@ impl<F: Float> System<F> {
                         add_times(stiffness.row_mut(i), b * *own, &part.direction);
                     }
                 }
-                Rule::Stop { .. } => {}
+                Rule::Stop { .. } | Rule::Hard { .. } => {}
+                _ if is_light => directions.push(part.direction.clone()),
                 _ => {
                     let mut c = root.of(&part.direction);
                     let size = dot(&c, &c).sqrt();
@@ -53,6 +56,11 @@ impl<F: Float> System<F> {
                 }
             }
         }
+        if is_light {
+            directions.append(&mut holds);
+            let operator = system.balanced_operator(&stiffness, &directions);
+            return frequencies(&operator, operator.columns());
+        }
         let mut operator = root.times(&stiffness).times(&root);
         let most = operator.rows().flatten().fold(one, |sum, x| sum + x.abs());
         // Projected on the motions that the contacts allow; the others get the greatest values, which are left out.
@@ -68,25 +76,28 @@ impl<F: Float> System<F> {
                 add_times(operator.row_mut(i), x * most, c);
             }
         }
-        let is_symmetric = (0..n).all(|i| {
-            (0..i).all(|j| (operator.at(i, j) - operator.at(j, i)).abs() <= most * F::epsilon() * F::int(64))
-        });
-        let rounding = most * F::epsilon() * F::int(8);
-        if !is_symmetric {
-            return unsymmetric(&operator, n - holds.len());
-        }
-        let (mut squares, _) = operator.symmetric_modes();
-        squares.sort_by(|a, b| a.partial_cmp(b).unwrap_or(core::cmp::Ordering::Equal));
-        squares.truncate(n - holds.len());
-        squares
-            .into_iter()
-            .map(
-                |square| {
-                    if square.abs() <= rounding { zero } else { square.abs().sqrt().with_sign_of(square) }
-                },
-            )
-            .collect()
+        frequencies(&operator, n - holds.len())
     }
+}
+
+/// The least frequencies of an operator.
+fn frequencies<F: Float>(operator: &Matrix<F>, count: usize) -> Vec<F> {
+    let (zero, n) = (F::int(0), operator.columns());
+    let most = operator.rows().flatten().fold(F::int(1), |sum, x| sum + x.abs());
+    let is_symmetric = (0..n).all(|i| {
+        (0..i).all(|j| (operator.at(i, j) - operator.at(j, i)).abs() <= most * F::epsilon() * F::int(64))
+    });
+    let rounding = most * F::epsilon() * F::int(8);
+    if !is_symmetric {
+        return unsymmetric(operator, count);
+    }
+    let (mut squares, _) = operator.symmetric_modes();
+    squares.sort_by(|a, b| a.partial_cmp(b).unwrap_or(core::cmp::Ordering::Equal));
+    squares.truncate(count);
+    let root = |square: F| {
+        if square.abs() <= rounding { zero } else { square.abs().sqrt().with_sign_of(square) }
+    };
+    squares.into_iter().map(root).collect()
 }
 
 /// The least frequencies of a matrix that is not symmetric, at f64.

@@ -1,6 +1,7 @@
 //! The answers of a motion: events, extremes, time at rest, and energy.
 
-use super::assembly::{Assembly, Driven};
+use super::assembly::{Assembly, Driven, Part, Rule};
+use super::blow::Blow;
 use super::branch::{Branch, static_bound};
 use super::dependent::least;
 use super::equation::Mode;
@@ -18,6 +19,7 @@ use alloc::vec::Vec;
 /// A motion, with its answers.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct Motion<F> {
     /// Its length in time.
     pub duration: F,
@@ -50,14 +52,18 @@ pub struct Motion<F> {
 /// The answers of an element.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct ElementMotion<F> {
     /// Its name.
     pub name: String,
     /// The time in which a contact sticks, an elastic contact holds, or a stop is within its gap.
     pub time_at_rest: F,
-    /// How often such a time begins.
+    /// How often such a time begins; at a stop with a restitution after a contact, not after a blow.
     pub stops: usize,
-    /// The work that the bodies do on it, `∫ T b·q′ dt`: that of its other side is not included.
+    /// How many blows a stop with a restitution gets, of ever smaller ones those that are followed.
+    pub blows: usize,
+    /// The work that the bodies do on it, `∫ T b·q′ dt`: that of its other side is not included. That of a blow is the impulse times the mean
+    /// of b·q′ before and after it, `½ (1 − e²) (b·q′)²/(b·M⁻¹b)` at a stop that does not move.
     pub work: F,
 }
 
@@ -111,8 +117,17 @@ impl<F: Float> Observer<F> {
     }
 
     /// The answers, at the end of the motion from `start`.
-    pub(crate) fn finish(self, system: &Assembly<F>, start: &[F], follower: &Follower<'_, F>) -> Motion<F> {
+    pub(crate) fn finish(
+        mut self,
+        system: &Assembly<F>,
+        start: &[F],
+        follower: &Follower<'_, F>,
+    ) -> Motion<F> {
         let n = self.n;
+        // Ever smaller blows end in contact some time after the last one that is followed.
+        let end = follower.time();
+        self.events.iter_mut().filter(|event| event.time > end).for_each(|event| event.time = end);
+        self.events.sort_by(|a, b| a.time.partial_cmp(&b.time).unwrap_or(core::cmp::Ordering::Equal));
         let part = |list: &[F], from: usize| list.get(from..from + n).unwrap_or(&[]).to_vec();
         let stored = energy(system, &follower.z) - energy(system, start);
         let stops = |element: usize| {
@@ -121,11 +136,12 @@ impl<F: Float> Observer<F> {
                 EventKind::Open => {
                     matches!(
                         system.parts.get(element).map(|p| &p.rule),
-                        Some(super::assembly::Rule::Stop { .. })
+                        Some(Rule::Stop { .. } | Rule::Hard { .. })
                     )
                 }
                 EventKind::Slip | EventKind::Reverse | EventKind::Touch => false,
                 EventKind::Yield | EventKind::Close | EventKind::Rise | EventKind::Fall => false,
+                EventKind::Blow => false,
             };
             self.events.iter().filter(|e| e.element == element && begins(e.kind)).count()
         };
@@ -138,6 +154,7 @@ impl<F: Float> Observer<F> {
                 name: part.name.clone(),
                 time_at_rest: at_rest.value,
                 stops: stops(i),
+                blows: self.events.iter().filter(|e| e.element == i && e.kind == EventKind::Blow).count(),
                 work,
             })
             .collect();
@@ -346,6 +363,23 @@ impl<F: Float> Watch<F> for Observer<F> {
     fn event(&mut self, event: Event<F>) {
         self.events.push(event);
     }
+
+    fn blow(&mut self, system: &Assembly<F>, blow: &Blow<F>, to: &[F]) {
+        for ((greatest, least), &x) in self.greatest.iter_mut().zip(&mut self.least).zip(to) {
+            *greatest = greatest.or_larger(x);
+            *least = if x < *least { x } else { *least };
+        }
+        if let Some(work) = self.work.get_mut(blow.element) {
+            *work = *work + blow.impulse * blow.mean;
+        }
+        // The force that moves a coordinate as it is prescribed takes its part of the blow.
+        let direction = system.parts.get(blow.element).map_or(&[][..], |part| &part.direction);
+        for driven in &system.moved {
+            let by = direction.get(driven.coordinate).copied().unwrap_or(F::int(0));
+            let velocity = to.get(system.n + driven.coordinate).copied().unwrap_or(F::int(0));
+            self.load_work = self.load_work + blow.impulse * by * velocity;
+        }
+    }
 }
 
 /// The coefficients without those below the rounding of the others.
@@ -384,21 +418,27 @@ fn forces<F: Float>(system: &Assembly<F>, branch: &Branch<F>, z: &[F]) -> Vec<F>
         return force;
     }
     let stuck: Vec<usize> =
-        branch.modes.iter().enumerate().filter(|(_, m)| **m == Mode::Stuck).map(|(i, _)| i).collect();
+        branch.modes.iter().enumerate().filter(|(_, m)| m.is_held()).map(|(i, _)| i).collect();
     let own: Vec<F> = stuck.iter().filter_map(|&i| force.get(i).copied()).collect();
-    let bounds: Vec<F> =
-        stuck.iter().filter_map(|&i| system.parts.get(i)).map(|p| dot(&static_bound(p), z)).collect();
-    if own.iter().zip(&bounds).all(|(t, &bound)| t.abs() <= bound) {
+    // The least and the greatest force; a stop that gives no way has no greatest one.
+    let of = |part: &Part<F>| match part.rule {
+        Rule::Hard { .. } => (F::int(0), None),
+        Rule::Contact { .. } | Rule::Elastic { .. } | Rule::Stop { .. } => {
+            let bound = dot(&static_bound(part), z);
+            (-bound, Some(bound))
+        }
+    };
+    let bounds: Vec<(F, Option<F>)> = stuck.iter().filter_map(|&i| system.parts.get(i)).map(of).collect();
+    let is_within = |(&t, (low, high)): (&F, &(F, Option<F>))| t >= *low && high.is_none_or(|high| t <= high);
+    if own.iter().zip(&bounds).all(is_within) {
         return force;
     }
     let coupling = system.coupling_of(&stuck);
     let doubt: Vec<F> =
         coupling.rows().map(|row| size_of_dot(row, &own) * F::epsilon() * F::int(256)).collect();
-    let rooms = |sign: F| -> Vec<Option<F>> {
-        own.iter().zip(&bounds).map(|(&t, &bound)| Some(sign * bound - t)).collect()
-    };
+    let room = |&t: &F, &(low, high): &(F, Option<F>)| (Some(low - t), high.map(|high| high - t));
     let zeros = vec![F::int(0); own.len()];
-    let (low, high) = (rooms(F::int(-1)), rooms(F::int(1)));
+    let (low, high): (Vec<_>, Vec<_>) = own.iter().zip(&bounds).map(|(t, bound)| room(t, bound)).unzip();
     for (&i, by) in
         stuck.iter().zip(least(&coupling, &zeros, &doubt, &low, &high).unwrap_or_else(|_| zeros.clone()))
     {

@@ -3,7 +3,7 @@
 //! With the forces T of the contacts at rest their accelerations are `a = a₀ − G T`, `G = Bᵀ M⁻¹ B`. A contact that
 //! sticks has a = 0 and |T| ≤ R; one that slides has `T = s R` and `s a ≥ 0`. These are the conditions for the least value
 //! of `½ Tᵀ G T − a₀ᵀ T` in the box |T| ≤ R. G is positive semidefinite, so that there is one; the accelerations
-//! are unique, and for dependent directions the forces are not.
+//! are unique, and for dependent directions the forces are not. A stop that gives no way has `T ≥ 0`, and opens where T = 0 and a < 0.
 //!
 //! **Static friction.** R is first the static bound of all contacts. Those that slide then get their kinetic
 //! friction, and the problem is solved again, until no more slide. A contact therefore sticks on arrival, and stays at
@@ -41,20 +41,43 @@ struct Contact<F> {
     doubt: F,
     kinetic: F,
     bound: F,
+    /// A stop that gives no way, which has no bound.
+    is_stop: bool,
     released: Choice,
 }
 
 impl<F: Float> Contact<F> {
     fn new(system: &Assembly<F>, z: &[F], one: &AtRest, force: &[F], size: &[F]) -> Option<Self> {
         let part = system.parts.get(one.element)?;
-        let Rule::Contact { pieces, peak, normal } = &part.rule else { return None };
-        let load = normal.as_ref().map_or(F::int(1), |row| dot(row, z).or_larger(F::int(0)));
-        let kinetic = pieces.first()?.force * load;
+        let (kinetic, bound, is_stop) = match &part.rule {
+            Rule::Contact { pieces, peak, normal } => {
+                let load = normal.as_ref().map_or(F::int(1), |row| dot(row, z).or_larger(F::int(0)));
+                let kinetic = pieces.first()?.force * load;
+                (kinetic, kinetic * *peak, false)
+            }
+            Rule::Hard { .. } => (F::int(0), F::int(0), true),
+            Rule::Elastic { .. } | Rule::Stop { .. } => return None,
+        };
         let acceleration = dot(&part.response, force) - dot(&part.moves, z);
         let scale = size_of_dot(&part.response, size) + size_of_dot(&part.moves, z);
         let doubt = scale * F::epsilon() * F::int(256);
         let (element, released) = (one.element, one.released);
-        Some(Self { element, acceleration, doubt, kinetic, bound: kinetic * *peak, released })
+        Some(Self { element, acceleration, doubt, kinetic, bound, is_stop, released })
+    }
+
+    /// The greatest force with the bound `bound`.
+    fn high(&self, bound: F) -> Option<F> {
+        (!self.is_stop).then_some(bound)
+    }
+
+    /// The least force.
+    fn low(&self, bound: F) -> F {
+        if self.is_stop { F::int(0) } else { -bound }
+    }
+
+    /// How far a force is from its bound in a direction.
+    fn room(&self, bound: F, force: F, forward: bool) -> Option<F> {
+        if forward { self.high(bound).map(|high| high - force) } else { Some(force - self.low(bound)) }
     }
 }
 
@@ -86,8 +109,9 @@ pub(crate) fn decide<F: Float>(
     let mut bounds: Vec<F> = contacts.iter().map(|c| c.bound).collect();
     // Each round lets at least one contact down to its kinetic friction.
     for _ in 0..=contacts.len() {
-        let high: Vec<Option<F>> = bounds.iter().map(|&b| Some(b)).collect();
-        let low: Vec<Option<F>> = bounds.iter().map(|&b| Some(-b)).collect();
+        let pairs = || contacts.iter().zip(&bounds);
+        let high: Vec<Option<F>> = pairs().map(|(contact, &b)| contact.high(b)).collect();
+        let low: Vec<Option<F>> = pairs().map(|(contact, &b)| Some(contact.low(b))).collect();
         let mut tension = least(&coupling, &free, &doubt, &low, &high).map_err(|_| first)?;
         let acceleration: Vec<F> =
             free.iter().zip(coupling.rows()).map(|(&a, row)| a - dot(row, &tension)).collect();
@@ -172,13 +196,13 @@ impl<F: Float> Now<'_, F> {
             if own <= zero {
                 continue;
             }
-            let doubt = contact.doubt / own + bound * F::epsilon() * F::int(256);
+            let size = if contact.is_stop { force.abs() } else { bound };
+            let doubt = contact.doubt / own + size * F::epsilon() * F::int(256);
             // An event is found to the rounding of the whole step.
             let near =
                 |forward: bool| if contact.released == Some(forward) { F::int(1024) } else { F::int(1) };
             let at = [true, false].map(|forward| {
-                let room = bound - sign::<F>(forward) * force;
-                room <= doubt * near(forward)
+                contact.room(bound, force, forward).is_some_and(|room| room <= doubt * near(forward))
             });
             is_at_bound |= at.contains(&true);
             still.push((k, at));
@@ -209,7 +233,11 @@ impl<F: Float> Now<'_, F> {
             jerk.push(dot(&part.response, &force) - dot(&part.moves, &rate));
             let scale = size_of_dot(&part.response, &size) + size_of_dot(&part.moves, &rate);
             doubts.push(scale * F::epsilon() * F::int(1024));
-            let Rule::Contact { pieces, normal, .. } = &part.rule else { return None };
+            let Rule::Contact { pieces, normal, .. } = &part.rule else {
+                high.push(None);
+                low.push(below.then_some(zero));
+                continue;
+            };
             let load = normal.as_ref().map_or(F::int(1), |row| dot(row, self.z));
             let full = bounds.get(k).copied()?;
             // R′ = R N′/N; at N = 0 the kinetic friction begins.
@@ -228,7 +256,7 @@ impl<F: Float> Now<'_, F> {
             Err(way) if way.is_empty() => return None,
             Err(way) => {
                 let places: Vec<usize> = still.iter().map(|&(k, _)| k).collect();
-                jump(&places, &way, bounds, tension)?;
+                jump(self.contacts, &places, &way, bounds, tension)?;
                 return Some(false);
             }
         };
@@ -277,7 +305,7 @@ impl<F: Float> Now<'_, F> {
             let together = matrix.of(&inverse.of(&apart));
             let way: Vec<F> = apart.iter().zip(&together).map(|(&a, &b)| a - b).collect();
             if way.iter().any(|x| x.abs() > size * F::epsilon() * F::int(4096)) {
-                let (k, forward) = jump(&places, &way, bounds, tension)?;
+                let (k, forward) = jump(self.contacts, &places, &way, bounds, tension)?;
                 *choices.get_mut(k)? = Some(forward);
                 return Some(());
             }
@@ -338,11 +366,17 @@ impl<F: Float> Now<'_, F> {
 }
 
 /// Moves forces along a direction until the first of them is at its bound: which one, and in which direction it is there.
-fn jump<F: Float>(places: &[usize], way: &[F], bounds: &[F], tension: &mut [F]) -> Option<(usize, bool)> {
+fn jump<F: Float>(
+    contacts: &[Contact<F>],
+    places: &[usize],
+    way: &[F],
+    bounds: &[F],
+    tension: &mut [F],
+) -> Option<(usize, bool)> {
     let mut first: Option<(F, usize, bool)> = None;
     for (&k, &step) in places.iter().zip(way) {
         let forward = step > F::int(0);
-        let room = *bounds.get(k)? - sign::<F>(forward) * *tension.get(k)?;
+        let Some(room) = contacts.get(k)?.room(*bounds.get(k)?, *tension.get(k)?, forward) else { continue };
         if step != F::int(0) && first.is_none_or(|(least, ..)| room / step.abs() < least) {
             first = Some(((room / step.abs()).or_larger(F::int(0)), k, forward));
         }

@@ -2,9 +2,11 @@
 //!
 //! In a branch a disturbance δ of the state moves by `δ′ = A δ`. At an event, where the row g of a guard is zero and
 //! the derivative of the state goes from f₋ to f₊, a disturbed motion is early or late by `g δ/(g f₋)`, so that
-//! `δ₊ = δ₋ + (f₊ − f₋) g δ₋/(g f₋)`. The product of these over a period is J.
+//! `δ₊ = δ₋ + (f₊ − f₋) g δ₋/(g f₋)`. A blow at a stop with a restitution changes the velocities by R, too:
+//! `δ₊ = R δ₋ + (f₊ − R f₋) g δ₋/(g f₋)`. The product of these over a period is J.
 
 use super::assembly::{Assembly, Rule};
+use super::blow::{Blow, Reset, beside, place_at_gap};
 use super::drift::{Drift, Natural};
 use super::equation::{Mode, sign};
 use super::error::Error;
@@ -73,15 +75,26 @@ impl<F: Float> Watch<F> for Seen<F> {
         self.tangent.is_some()
     }
 
-    fn changes(&mut self, guard: Option<&[F]>, from: &[F], to: &[F]) {
+    fn blow(&mut self, system: &Assembly<F>, blow: &Blow<F>, to: &[F]) {
+        if let Some(observer) = &mut self.observer {
+            observer.blow(system, blow, to);
+        }
+    }
+
+    fn changes(&mut self, guard: Option<&[F]>, reset: Option<&Reset<F>>, from: &[F], to: &[F]) {
         let tangent = self.tangent.get_or_insert_default();
         if let Some(guard) = guard {
             let speed = dot(guard, from);
             self.late.clear();
             self.late.extend(tangent.iter().map(|column| dot(guard, column) / speed));
         }
+        let mut from = from.to_vec();
+        if let Some(reset) = reset {
+            tangent.iter_mut().for_each(|column| reset.apply(column));
+            reset.apply(&mut from);
+        }
         for (column, &late) in tangent.iter_mut().zip(&self.late) {
-            for ((x, &a), &b) in column.iter_mut().zip(to).zip(from) {
+            for ((x, &a), &b) in column.iter_mut().zip(to).zip(&from) {
                 *x = *x + (a - b) * late;
             }
         }
@@ -226,22 +239,28 @@ impl<'a, F: Float> PeriodMap<'a, F> {
     fn directions(&self) -> Vec<Vec<F>> {
         let (system, free) = (self.system, self.system.free);
         let modes = self.follower.branch().map_or(&[][..], |b| &b.modes);
-        let stuck: Vec<usize> =
-            modes.iter().enumerate().filter(|(_, m)| matches!(m, Mode::Stuck)).map(|(i, _)| i).collect();
+        let those = |is: fn(Mode) -> bool| -> Vec<usize> {
+            modes.iter().enumerate().filter(|(_, m)| is(**m)).map(|(i, _)| i).collect()
+        };
+        let (held, touching) = (those(Mode::is_held), those(|m| m == Mode::Resting));
         let mut columns = Vec::with_capacity(free);
         for i in 0..free {
             let mut column = vec![F::int(0); system.size];
             if let Some(one) = column.get_mut(i) {
                 *one = F::int(1);
             }
-            super::next_branch::at_rest(system, &mut column, &stuck);
+            match self.follower.branch().and_then(|branch| branch.tie.as_ref()) {
+                Some(tie) => tie.project(system, modes, &mut column),
+                None => super::next_branch::at_rest(system, &mut column, &held),
+            }
+            place_at_gap(system, &mut column, &touching);
             for (part, mode) in system.parts.iter().zip(modes) {
                 let Rule::Elastic { place, bound, .. } = &part.rule else { continue };
                 let force = match mode {
                     Mode::Yields { forward } => sign::<F>(*forward) * dot(bound, &column),
                     Mode::Apart => F::int(0),
                     Mode::Stuck | Mode::Slides { .. } | Mode::Holds => continue,
-                    Mode::Away | Mode::Pressed | Mode::Lifted => continue,
+                    Mode::Away | Mode::Pressed | Mode::Lifted | Mode::Resting => continue,
                 };
                 if let Some(place) = column.get_mut(*place) {
                     *place = force;
@@ -263,19 +282,23 @@ impl<'a, F: Float> PeriodMap<'a, F> {
     }
 
     /// The rows of what the elements keep in the present branch, without those in `busy`: b·q of a contact that sticks, T − k b·q of an
-    /// elastic contact that holds. The map does not change them, so that J has one multiplier 1 for each.
+    /// elastic contact that holds. The map does not change them, so that J has one multiplier 1 for each. Stops in touch keep
+    /// their own b·q, which is no number of a motion: the rows are those of what moves beside them.
     pub(super) fn kept_rows(&self, busy: &[Event<F>]) -> Vec<Vec<F>> {
         let modes = self.follower.branch().map_or(&[][..], |b| &b.modes);
+        let touching: Vec<usize> =
+            (0..modes.len()).filter(|i| modes.get(*i) == Some(&Mode::Resting)).collect();
         let mut rows = Vec::new();
         for (i, (part, mode)) in self.system.parts.iter().zip(modes).enumerate() {
             if busy.iter().any(|event| event.element == i) {
                 continue;
             }
             let mut row = vec![F::int(0); self.system.free];
+            let along = beside(self.system, i, &touching);
             match (mode, &part.rule) {
-                (Mode::Stuck, _) => super::matrix::add_times(&mut row, F::int(1), &part.direction),
+                (Mode::Stuck, _) => super::matrix::add_times(&mut row, F::int(1), &along),
                 (Mode::Holds, Rule::Elastic { stiffness, place, .. }) => {
-                    super::matrix::add_times(&mut row, -*stiffness, &part.direction);
+                    super::matrix::add_times(&mut row, -*stiffness, &along);
                     if let Some(force) = row.get_mut(*place) {
                         *force = F::int(1);
                     }

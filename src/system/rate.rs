@@ -25,7 +25,7 @@ impl<F: Float> System<F> {
         let system = &self.assembly;
         let count = system.parts.iter().map(|part| match &part.rule {
             Rule::Contact { pieces, .. } => pieces.len(),
-            Rule::Elastic { .. } | Rule::Stop { .. } => 1,
+            Rule::Elastic { .. } | Rule::Stop { .. } | Rule::Hard { .. } => 1,
         });
         // Each piece of the laws, and rest.
         let branches = (0..count.fold(1, usize::max)).map(Some).chain([None]);
@@ -37,6 +37,7 @@ impl<F: Float> System<F> {
                 (Rule::Contact { .. }, None) => Mode::Stuck,
                 (Rule::Elastic { .. }, _) => Mode::Holds,
                 (Rule::Stop { .. }, _) => Mode::Pressed,
+                (Rule::Hard { .. }, _) => Mode::Away,
             };
             let modes: Vec<Mode> = system.parts.iter().map(|part| mode(&part.rule)).collect();
             fastest(system, &Equation::new(system, &modes).a)

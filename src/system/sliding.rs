@@ -153,7 +153,8 @@ impl<F: Float> System<F> {
     #[must_use]
     pub fn sliding(&self) -> Option<Sliding> {
         let system = &self.assembly;
-        if !system.parts.iter().any(|part| part.sliding().is_some()) || !system.moved.is_empty() {
+        let is_inert = system.moved.is_empty() && system.massless.is_empty();
+        if !system.parts.iter().any(|part| part.sliding().is_some()) || !is_inert {
             return None;
         }
         let root = system.inverse_root_of_mass();

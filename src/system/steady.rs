@@ -26,6 +26,7 @@ named! {
 /// The motion that a start leads to.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct Steady<F> {
     /// Its kind.
     pub kind: SteadyKind,

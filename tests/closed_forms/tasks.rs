@@ -87,11 +87,13 @@ fn the_least_force_with_a_damper() -> Outcome {
 fn a_record_from_csv() -> Outcome {
     let file = tempfile::NamedTempFile::new()?;
     std::fs::write(&file, "time [s],acceleration\n0,0\n0.5,8\n1,-6\n1.5,0\n")?;
-    let record = Record::from_csv(Excitation::SurfaceAcceleration, &std::fs::read_to_string(&file)?)?;
+    let record = Record::from_csv(Excitation::SurfaceAcceleration, std::fs::File::open(&file)?)?;
     let body = Body::new(1000.0, 600.0)?.with_stiffness(4e4)?;
     let residual = body.follow(&record)?.residual_displacement.ok_or("it moves on")?;
     let same = Record::new(Excitation::SurfaceAcceleration, 0.5, vec![0.0, 8.0, -6.0, 0.0])?;
     close(residual, body.follow(&same)?.residual_displacement.ok_or("it moves on")?, 1e-9);
+    let not_text = Record::<f64>::from_csv(Excitation::Force, &b"0,1\n1,\xff\n"[..]).unwrap_err();
+    assert!(not_text.to_string().starts_with("record: the text must be readable, but "), "{not_text}");
     Ok(())
 }
 
@@ -134,7 +136,7 @@ fn at_256_bits() -> Outcome {
 fn an_enclosure() -> Outcome {
     use stickslip::enclosed::KnownRatios;
     use stickslip::{Output, Ratios, Response};
-    let ratios = KnownRatios::new(&"0.695..0.705".parse()?).with_force_ratio(&"2".parse()?);
+    let ratios = KnownRatios::parsed("0.695..0.705", "2")?;
     let response = ratios.response(128)?;
     let stroke = response.get(Output::MaxDisplacement).ok_or("undecided")?;
     let (middle, off) = (stroke.mid.to_f64(), stroke.rad.to_f64());

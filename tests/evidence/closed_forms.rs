@@ -6,7 +6,8 @@ use crate::machines::Driven;
 use crate::random::Random;
 use crate::sampled::{Cycle, Extreme, Limit, Of};
 use crate::steady::{Expected, Units, equivalent, hold, spring, transmitted};
-use stickslip::{Border, Excitation, Output, Ratios, Response, ResponseAnswer, Value};
+use stickslip::internal::{ResponseAnswer, Value};
+use stickslip::{Border, Excitation, Output, Ratios, Response};
 
 /// The size of the loop in p₀²/(2k) by the samples, at Ω, α and ζ.
 fn loop_size(random: &mut Random, [omega, alpha, zeta]: [f64; 3]) -> Option<(f64, Cycle)> {

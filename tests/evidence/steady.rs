@@ -7,8 +7,9 @@ use crate::sampled::{Cycle, Extreme, Limit, Load, Of};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
+use stickslip::Excitation;
+use stickslip::internal::{Value, observed};
 use stickslip::motion::{LongRun, State, SteadyAnswer, SteadyState};
-use stickslip::{Excitation, Value, observed};
 
 /// A value that the samples give.
 #[derive(Debug, Clone, Copy)]

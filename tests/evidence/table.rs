@@ -3,9 +3,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
+use stickslip::internal::ResponseAnswer;
 use stickslip::motion::record::{Body, Record};
 use stickslip::motion::{SteadyAnswer, SteadyOutput};
-use stickslip::{Excitation, Output, ResponseAnswer};
+use stickslip::{Excitation, Output};
 
 const PAGE: &str = include_str!("../../docs/development/evidence.md");
 const API: &str = include_str!("../../.ci/public-api.txt");

@@ -76,6 +76,11 @@ pub(crate) fn broken<F: Float>(
             let edge = if (y - *gap).abs() < doubt { *damping * v.abs() } else { zero };
             (force - pressed).abs() > doubt + edge
         }
+        Kind::HardStop { gap, .. } => {
+            // It pushes where it is touched, and nothing is beyond it.
+            let is_away = y < *gap - doubt;
+            y > *gap + doubt || force < -doubt || (is_away && force.abs() > doubt)
+        }
     };
     is_broken.then(|| format!("y = {y}, v = {v}, T = {force}"))
 }

@@ -6,8 +6,9 @@
 
 use crate::random::Random;
 use std::f64::consts::TAU;
+use stickslip::internal::Value;
 use stickslip::motion::{Amplitude, LongRun, State, SteadyAnswer, SteadyOutput, SteadyState, Trajectory};
-use stickslip::{Drive, Error, Excitation, Oscillator, Output, Ratios, Response, Scales, Value};
+use stickslip::{Drive, Error, Excitation, Oscillator, Output, Ratios, Response, Scales};
 
 /// A machine, and the load by its own formulae.
 #[derive(Debug, Clone, Copy)]

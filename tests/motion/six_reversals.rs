@@ -10,9 +10,10 @@ use std::f64::consts::PI;
 use std::ops::ControlFlow;
 use stickslip::cycle::SixReversals;
 use stickslip::float::Mp;
+use stickslip::internal::observed;
 use stickslip::motion::{Kind, LongRun, State, Trajectory};
 use stickslip::{Border, Error, Float, Ratios, Regime, Response};
-use stickslip::{NoStop, observed, stops_per_cycle};
+use stickslip::{NoStop, stops_per_cycle};
 
 /// The force ratios without a stop.
 fn without_stop<F: Float>(omega: F, zeta: F) -> Result<NoStop<F>, Error> {

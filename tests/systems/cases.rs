@@ -59,6 +59,7 @@ fn case(value: &Value) -> Case {
     Case {
         name: value["name"].as_str().expect("a name").to_owned(),
         model: Model {
+            coordinates: Vec::new(),
             mass: rows(&system["mass"]),
             damping: rows(&system["damping"]),
             stiffness: rows(&system["stiffness"]),

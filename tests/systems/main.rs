@@ -15,7 +15,9 @@ mod clutches;
 mod generator;
 #[cfg(feature = "rayon")]
 mod grid;
+mod impacts;
 mod long_run;
+mod massless;
 mod one_body;
 #[cfg(feature = "mp")]
 mod precise;

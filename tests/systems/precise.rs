@@ -54,6 +54,9 @@ fn element<F: Float>(element: &Element<f64>) -> Element<F> {
         Kind::Stop { gap, stiffness, damping } => {
             Kind::Stop { gap: of(*gap), stiffness: of(*stiffness), damping: of(*damping) }
         }
+        Kind::HardStop { gap, restitution } => {
+            Kind::HardStop { gap: of(*gap), restitution: of(*restitution) }
+        }
     };
     let (name, direction) = (element.name.clone(), list(&element.direction));
     Element { name, direction, moves: signal(&element.moves), kind }
@@ -73,6 +76,7 @@ fn model<F: Float>(given: &Model<f64>) -> Model<F> {
     };
     let moved = |m: &Moved<f64>| Moved { coordinate: m.coordinate, by: m.by, signal: signal(&m.signal) };
     Model {
+        coordinates: Vec::new(),
         mass: rows(&given.mass),
         damping: rows(&given.damping),
         stiffness: rows(&given.stiffness),

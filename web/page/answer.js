@@ -82,7 +82,7 @@ function showAnswer(answer) {
   const natural = answer.machine?.find((own) => own.name === "period");
   if (natural && isPlain) entry(list, "natural period", readable(natural.value, natural.unit), `${natural.value} ${natural.unit}`);
   if (isPlain && !answer.is_free) entry(list, "frequency ratio Ω", four(answer.omega), String(answer.omega));
-  if (!isPlain) entry(list, "Ω, α", `${four(answer.omega)}, ${four(answer.alpha)}`, `${answer.omega}, ${answer.alpha}`);
+  if (!isPlain) entry(list, "frequency ratio Ω, force ratio α", `${four(answer.omega)}, ${four(answer.alpha)}`, `${answer.omega}, ${answer.alpha}`);
   const rows = steady.values || answer.values;
   const row = (name) => rows.find((own) => own.name === name);
   const [most, least] = [row("max_displacement"), row("min_displacement")];
@@ -108,7 +108,7 @@ function showAnswer(answer) {
   if (!isPlain) {
     const border = answer.values.find((own) => own.name === "min_force_ratio");
     // With a higher static friction the border is that of a cycle, which not every start reaches.
-    const name = answer.six_reversals ? "two-reversal border" : isMany ? "cycle without a stop from" : "least force without sticking";
+    const name = answer.six_reversals ? "two-reversal threshold" : isMany ? "cycle without a stop from" : "sticking threshold, force";
     const size = answer.machine?.find((own) => own.name === "friction");
     entry(list, name, size ? readable(border.value * size.value, size.unit) : `${four(border.value)} r_y`, `${border.value} r_y`);
     if (answer.six_reversals) entry(list, "six reversals, no stop", `${answer.six_reversals.map(four).join(" to ")} r_y`, answer.six_reversals.join(" to "));

@@ -46,11 +46,71 @@ class Asker {
       this.waiting.delete(kind);
       this.running = request;
       this.since = performance.now();
+      this.begun ??= this.since;
       this.worker.postMessage({ id: kind, question: request.question });
+      busy.soon();
       return;
     }
+    this.begun = undefined;
+  }
+
+  // Ends the work; each question is answered with that.
+  stop() {
+    const left = [...(this.running ? [this.running] : []), ...this.waiting.values()];
+    this.waiting.clear();
+    this.begun = undefined;
+    if (!left.length) return;
+    this.worker.terminate();
+    this.start();
+    for (const { done } of left) done({ error: "Stopped." });
   }
 }
+
+// ---- long work: what is computed, for how long, and a button that ends it
+
+const DOING = {
+  answer: "the answer", motion: "the motion", curve: "the response curve", ghost: "the curve without friction", design: "the design",
+  limits: "the limits", record: "the motion under the record", spectrum: "the spectrum", "record-table": "the file", map: "the map",
+  system: "the two masses", "system-curve": "the curve of the two masses",
+};
+
+function busy() {
+  busy.timer = 0;
+  const working = [live, slow, mapper].filter((asker) => asker?.running);
+  const long = working.filter((asker) => performance.now() - asker.begun > PATIENCE);
+  if (working.length) busy.soon();
+  else busy.isStopped &&= !$("busy").hidden;
+  if (busy.isStopped) return;
+  $("busy").hidden = !long.length;
+  if (!long.length) return;
+  const words = `Computing ${long.map((asker) => DOING[asker.running.kind]).join(" and ")} …`;
+  if ($("busy-text").textContent !== words) $("busy-text").textContent = words;
+  const most = Math.max(...long.map((asker) => performance.now() - asker.begun));
+  $("busy-time").textContent = `${Math.round(most / 1000)} s`;
+}
+busy.soon = () => (busy.timer ||= setTimeout(busy, 500));
+
+function stopped(on) {
+  busy.isStopped = on;
+  $("stop").textContent = on ? "Compute again" : "Stop";
+  $("busy-text").textContent = on ? "Stopped." : "";
+  $("busy-time").textContent = "";
+  $("busy").hidden = !on;
+}
+
+$("stop").onclick = () => {
+  if (busy.isStopped) {
+    stopped(false);
+    if (tab === "two") changedSystem();
+    else changed(true);
+    return;
+  }
+  // A map that is not whole is begun anew.
+  if (mapper.running) [mapOf, $("map-note").textContent] = ["", "Stopped."];
+  for (const asker of [live, slow, mapper]) asker.stop();
+  still.asked = "";
+  stopped(true);
+};
 
 let live = null;
 let slow = null;
@@ -63,6 +123,7 @@ let late = 0;
 function changed(isLink = false) {
   if (!isLink) $("note").textContent = "";
   if (!live) return;
+  if (busy.isStopped) stopped(false);
   const asked = question("answer");
   // Nothing that takes longer is there for other inputs, which no caption of an example describes.
   if (keyOf(asked) !== changed.key) {
@@ -158,13 +219,17 @@ function draw() {
 // Files hold what is finished: nothing of a wrong input, and no map whose cells are still computed.
 function fileButtons() {
   const isFailed = document.body.classList.contains("failed");
-  for (const button of document.querySelectorAll("#values-csv, #one .files button")) button.disabled = isFailed || !(({ map: isMapFinal, record: isRecordOfNow })[button.parentElement.dataset.of]?.() ?? true);
+  const isThere = { map: isMapFinal, record: isRecordOfNow, "two-masses": () => Boolean(twoAnswer?.samples), "two-masses-curve": () => Boolean(shown.systemCurve) };
+  for (const button of document.querySelectorAll("#values-csv, #one .files button")) button.disabled = isFailed || !(isThere[button.parentElement.dataset.of]?.() ?? true);
+  for (const button of document.querySelectorAll("#two .files button")) button.disabled = !isThere[button.parentElement.dataset.of]();
   if ($("map-unfinished")) $("map-unfinished").hidden = isFailed || isMapFinal();
 }
 
 // Says what is wrong with an input, and leaves no number of another machine.
 function failed(error) {
   const isFailed = error !== undefined;
+  // Of the inputs that may be given instead, the field names the one that is chosen.
+  if (/ is missing$/.test(error)) error = `${label([...document.querySelectorAll("[data-input]")].find((typed) => !typed.value.trim() && !MORE.includes(typed.dataset.input))?.dataset.input ?? error.replace(/ .*/, ""))} is missing`;
   document.body.classList.remove("loading");
   $("error").textContent = isFailed ? error : "";
   document.body.classList.toggle("failed", isFailed);

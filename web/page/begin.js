@@ -132,6 +132,11 @@ const FILES = {
     return { omega: alphas.flatMap(() => omegas), alpha: alphas.flatMap((own) => omegas.map(() => own)), sticks_per_cycle: stops.map((n) => (n < 0 ? NAMED[n] : n)) };
   }],
   record: [["load", "shaken", "speed", "hysteresis", "spectrum"]],
+  "two-masses": [["places", "force"], () => systemColumns(twoAnswer.samples)],
+  "two-masses-curve": [["systemCurve"], () => {
+    const { frequency, displacement, coordinates, rests, kind, unit } = shown.systemCurve;
+    return { "frequency[Hz]": frequency, ...Object.fromEntries(coordinates.map((name, i) => [`${name}.displacement[${unit}]`, displacement[i]])), rests, kind };
+  }],
 };
 
 // Draws in the light theme, so that a file prints in black, and comes back to the theme that was.
@@ -145,14 +150,25 @@ function inLight(then) {
 }
 
 for (const host of document.querySelectorAll(".files")) {
-  const [names, columns] = FILES[host.dataset.of];
-  const save = (text) => saved(`stickslip-${host.dataset.of}.csv`, "text/csv", text);
-  const csv = Object.assign(document.createElement("button"), { type: "button", textContent: "CSV", onclick: () => (columns ? save(csvText(columns())) : slow.ask("record-table", question("record-table", recordInputs()), ({ ok }) => ok && save(ok))) });
-  csv.setAttribute("aria-label", `${host.dataset.of} as CSV`);
-  const svg = Object.assign(document.createElement("button"), { type: "button", textContent: "SVG", onclick: () => inLight(() => names.forEach((name) => saved(`stickslip-${name}.svg`, "image/svg+xml", svgText(charts[name].svg, palette().paper)))) });
-  svg.setAttribute("aria-label", `${host.dataset.of} as SVG`);
-  host.append(csv, " ", svg);
-  if (host.dataset.of === "map") host.append(Object.assign(document.createElement("span"), { id: "map-unfinished", className: "hint", textContent: " still computing" }));
+  const { of } = host.dataset;
+  const [names, columns] = FILES[of];
+  const save = (text) => saved(`stickslip-${of}.csv`, "text/csv", text);
+  const picture = () => {
+    let file;
+    inLight(() => (file = svgFile(names.map((name) => charts[name].svg), palette().paper)));
+    return file;
+  };
+  const kinds = {
+    CSV: () => (columns ? save(csvText(columns())) : slow.ask("record-table", question("record-table", recordInputs()), ({ ok }) => ok && save(ok))),
+    SVG: () => saved(`stickslip-${of}.svg`, "image/svg+xml", picture().text),
+    PNG: async () => saved(`stickslip-${of}.png`, "image/png", await asImage(picture())),
+  };
+  for (const [kind, onclick] of Object.entries(kinds)) {
+    const button = Object.assign(document.createElement("button"), { type: "button", textContent: kind, onclick });
+    button.setAttribute("aria-label", `${of} as ${kind}`);
+    host.append(button, " ");
+  }
+  if (of === "map") host.append(Object.assign(document.createElement("span"), { id: "map-unfinished", className: "hint", textContent: " still computing" }));
 }
 fileButtons();
 

@@ -18,18 +18,19 @@ function tick(x) {
   return String(Number(x.toPrecision(6)));
 }
 
-// Round numbers within a range, about `count` of them.
+// Round numbers within a range, about `count` of them and at least three.
 function ticks(low, high, count) {
   const raw = (high - low) / count;
   const power = 10 ** Math.floor(Math.log10(raw));
   const step = [1, 2, 5, 10].find((n) => n * power >= raw) * power;
   const all = [];
   for (let i = Math.ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; i++) all.push(i * step);
-  return all;
+  return all.length < 3 ? ticks(low, high, 1.5 * count) : all;
 }
 
 function powers(low, high, count) {
   const decades = Math.log10(high / low);
+  if (decades < 0.5) return ticks(low, high, count);
   const parts = decades > count ? [1] : decades > 1.5 ? [1, 2, 5] : [1, 1.5, 2, 3, 4, 5, 6, 7, 8];
   const all = [];
   for (let e = Math.floor(Math.log10(low)); e <= Math.log10(high); e++) {
@@ -239,12 +240,13 @@ class Chart {
     return this.add("circle", { cx: this.x(x).toFixed(1), cy: at.toFixed(1), r: radius, fill: colour, stroke: this.ink.paper, "stroke-width": 1.5 });
   }
 
-  // Each row has a text, a colour, and a dash, or else a picture of its own.
+  // Each row has a text, a colour, and a dash, or the word "thick" or "dot", or else a picture of its own.
   legend(rows, places) {
     rows.forEach(([text, colour, dash, picture], i) => {
       const [x, y] = [this.box.left + places[i][0], 9 + 17 * places[i][1]];
       if (picture) this.add("image", { x, y: y - 6, width: 18, height: 12, href: picture });
-      else this.add("path", { d: `M${x} ${y}h18`, stroke: colour, "stroke-width": 3, "stroke-dasharray": dash || "" });
+      else if (dash === "dot") this.add("circle", { cx: x + 9, cy: y, r: 5, fill: colour });
+      else this.add("path", { d: `M${x} ${y}h18`, stroke: colour, "stroke-width": dash === "thick" ? 6 : 3, "stroke-dasharray": /\d/.test(dash) ? dash : "" });
       this.add("text", { x: x + 23, y: y + 4, "font-size": 11, "font-family": "system-ui, sans-serif", fill: this.ink.text }, text);
     });
   }
@@ -266,15 +268,54 @@ function saved(name, type, text) {
   setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }
 
-// The picture as a file of its own, without what moves in it.
-function svgText(svg, paper) {
-  const copy = svg.cloneNode(true);
-  copy.setAttribute("xmlns", SVG);
-  for (const moving of copy.querySelectorAll(".cursor")) moving.remove();
-  const width = svg.getAttribute("width");
-  const height = svg.getAttribute("height");
-  copy.insertBefore(node("rect", { width, height, fill: paper }), copy.firstChild);
-  return `<?xml version="1.0" encoding="UTF-8"?>\n${new XMLSerializer().serializeToString(copy)}\n`;
+// Pictures below each other as one file, without what moves in them.
+function svgFile(pictures, paper) {
+  const size = (svg, name) => Number(svg.getAttribute(name));
+  const seen = pictures.filter((svg) => svg.childElementCount);
+  const width = Math.max(...seen.map((svg) => size(svg, "width")));
+  const height = seen.reduce((sum, svg) => sum + size(svg, "height"), 0);
+  const all = node("svg", { width, height, viewBox: `0 0 ${width} ${height}` });
+  all.append(node("rect", { width, height, fill: paper }));
+  let y = 0;
+  for (const svg of seen) {
+    const copy = svg.cloneNode(true);
+    for (const moving of copy.querySelectorAll(".cursor")) moving.remove();
+    copy.setAttribute("y", y);
+    y += size(svg, "height");
+    all.append(copy);
+  }
+  return { width, height, text: `<?xml version="1.0" encoding="UTF-8"?>\n${new XMLSerializer().serializeToString(all)}\n` };
+}
+
+// A picture as an image of twice its size.
+async function asImage({ width, height, text }) {
+  const image = new Image();
+  image.src = URL.createObjectURL(new Blob([text], { type: "image/svg+xml" }));
+  await image.decode();
+  const canvas = Object.assign(document.createElement("canvas"), { width: 2 * width, height: 2 * height });
+  canvas.getContext("2d").drawImage(image, 0, 0, 2 * width, 2 * height);
+  URL.revokeObjectURL(image.src);
+  return new Promise((resolve) => canvas.toBlob(resolve, "image/png"));
+}
+
+// A force over times or over displacements, in which a change between two samples that is a jump is drawn as one: where
+// the speed changes its sign, at the instant that it is 0; where the body stops, and where a greater static friction lets
+// go, at the later sample. Returns the places, the forces and the samples that they belong to.
+function withJumps(times, speed, xs, ys, isTime) {
+  const found = [[xs[0]], [ys[0]], [0]];
+  const add = (x, y, i) => [x, y, i].forEach((own, k) => found[k].push(own));
+  for (let i = 1; i < xs.length; i++) {
+    const [a, b, dt] = [speed[i - 1], speed[i], times[i] - times[i - 1]];
+    const isDrop = a === 0 && b !== 0 && Math.abs(ys[i]) < Math.abs(ys[i - 1]);
+    if (a * b < 0 || (a !== 0 && b === 0) || isDrop) {
+      const part = (dt * Math.abs(a)) / (Math.abs(a) + Math.abs(b));
+      const x = a * b < 0 ? xs[i - 1] + (isTime ? part : (a * part) / 2) : xs[i];
+      add(x, ys[i - 1], i - 1);
+      add(x, ys[i], i);
+    }
+    add(xs[i], ys[i], i);
+  }
+  return found;
 }
 
 // The index of the entry of a rising list that is nearest to a number.

@@ -49,6 +49,7 @@ function showCurve(curve) {
   const ink = palette();
   const legend = [["slides", ink.slide], ["stops", ink.stick]];
   if (border.some((x) => x !== null)) legend.push(["sticking threshold", ink.border, "6 4"]);
+  if (at >= frequency[0] && at <= frequency.at(-1) && height > 0) legend.push(["this machine", ink.here, "dot"]);
   const others = [];
   if (shown.ghost && isMachine) others.push([shown.ghost, "without friction", ink.ghost, "2 3"]);
   if (pinned && (pinned.unit === curve.unit)) others.push([pinned, "pinned", ink.second, "9 3"]);

@@ -159,7 +159,7 @@ function showMap(grid) {
   for (let cell = 0; cell < grid.stops.length; cell++) codes.add(code(cell));
   const order = [0, 1, 2, 4, 8, 9, -6, -1, -5, -2, -3, -4, OPEN];
   const legend = order.filter((n) => codes.has(n)).map((n) => [nameOf(n), "", "", painted(18, 12, () => n)]);
-  legend.push(["border", palette().border]);
+  legend.push(["sticking threshold", palette().border]);
   chart.begin({ x: [0, grid.omega], y: [0, grid.alpha], xlabel: "frequency ratio Ω", ylabel: "force ratio α", legend });
   const { left, right, top, bottom } = chart.box;
   const [width, height] = [Math.round(right - left), Math.round(bottom - top)];

@@ -44,7 +44,7 @@ function showMotion(found) {
   const range0 = [times[0], times.at(-1)];
   for (const [name, words] of [["displacement", "displacement"], ["velocity", "velocity"]]) {
     const chart = charts[name];
-    chart.begin({ x: range0, y: range(own[name].values), xlabel, ylabel: `${words} (${own[name].unit})` });
+    chart.begin({ x: range0, y: range(own[name].values), xlabel, ylabel: `${words} (${own[name].unit})`, legend: restLegend(rest) });
     withRests(chart, times, own[name].values, rest);
     cursor(chart, times, own[name].values);
     chart.read = (x) => {
@@ -54,12 +54,17 @@ function showMotion(found) {
   }
   const { friction } = charts;
   const ink = palette();
-  const legend = [["friction", ink.slide], ["load", ink.second, "5 3"]];
+  const legend = [["friction", ink.slide], ...restLegend(rest).slice(1), ["load", ink.second, "5 3"]];
   if (isStill) legend.push(["the friction holds up to", ink.border, "2 3"]);
   friction.begin({ x: range0, y: range([...own.friction.values, ...own.load.values, ...(isStill ? [bound, -bound] : [])]), xlabel, ylabel: `force (${both.unit})`, legend });
   if (isStill) for (const of of [bound, -bound]) friction.line(range0, [of, of], ink.border, { width: 1.5, dash: "2 3" });
   friction.line(times, own.load.values, ink.second, { width: 1.5, dash: "5 3" });
-  withRests(friction, times, own.friction.values, rest);
+  const jumps = (isTime) => {
+    const [places, forces, of] = withJumps(time, found.velocity, isTime ? time : found.displacement, found.friction, isTime);
+    const factor = isTime ? ticks.factor : own.displacement.factor;
+    return [places.map((x) => x * factor), forces.map((x) => x * both.factor), of.map((i) => rest[i])];
+  };
+  withRests(friction, ...jumps(true));
   cursor(friction, times, own.friction.values);
   friction.read = (x) => {
     const i = nearest(times, x);
@@ -67,14 +72,17 @@ function showMotion(found) {
   };
   for (const [name, down, words, unit] of [["loop", "friction", "friction", both.unit], ["phase", "velocity", "velocity", own.velocity.unit]]) {
     const chart = charts[name];
-    chart.begin({ x: range(own.displacement.values), y: range(own[down].values), xlabel: `displacement (${own.displacement.unit})`, ylabel: `${words} (${unit})` });
-    withRests(chart, own.displacement.values, own[down].values, rest);
+    chart.begin({ x: range(own.displacement.values), y: range(own[down].values), xlabel: `displacement (${own.displacement.unit})`, ylabel: `${words} (${unit})`, legend: restLegend(rest) });
+    withRests(chart, ...(name === "loop" ? jumps(false) : [own.displacement.values, own[down].values, rest]));
     cursor(chart, own.displacement.values, own[down].values);
     chart.read = (x, y) => ({ x, text: `${four(x)} ${own.displacement.unit}, ${four(y)} ${unit}` });
   }
   sketch.machine();
   if (!playing) place(0);
 }
+
+// What the thick line means, where there is one.
+const restLegend = (rest) => (rest.some(Boolean) ? [["slides", palette().slide], ["at rest", palette().stick, "thick"]] : []);
 
 function withRests(chart, xs, ys, rest) {
   chart.line(xs, ys, chart.ink.slide);

@@ -15,6 +15,12 @@ function prefixed(unit) {
 
 // The unit in which a size has one to three digits before its point, and the factor to it.
 function fitting(size, unit) {
+  // Work counts in N·m.
+  const share = { "N·mm": 1e-3, "kN·mm": 1, "MN·mm": 1e3 }[unit];
+  if (share) {
+    const to = fitting(size * share, "N·m");
+    return { unit: to.unit, factor: share * to.factor };
+  }
   const own = prefixed(unit);
   if (!own || !(size > 0) || !Number.isFinite(size)) return { unit, factor: 1 };
   const places = Math.floor(Math.log10(size) + own.power + 1e-12);
@@ -36,9 +42,19 @@ function four(x) {
   return rounded.toExponential().replace("e+", "e");
 }
 
+// The kilograms, or for an unbalance the kg·m, in the units of mass that follow from force and length.
+const MASSES = {
+  t: 1e3, "N·s²/m": 1, "N·s²/mm": 1e3, "kN·s²/m": 1e3, "kN·s²/mm": 1e6, "t·m": 1e3, "t·mm": 1, "N·s²": 1, "kN·s²": 1e3, "MN·s²": 1e6,
+};
+
 // A value with its unit in four digits.
 function readable(x, unit) {
   if (typeof x !== "number" || !unit || unit === "1") return four(x);
+  const mass = MASSES[unit];
+  if (mass) {
+    const [size, length] = [Math.abs(x) * mass, unit.endsWith("m") || unit.endsWith("s²") ? "·m" : ""];
+    return length || size < 1000 ? `${four(x * mass)} kg${length}` : `${four((x * mass) / 1000)} t`;
+  }
   const to = fitting(Math.abs(x), unit);
   return `${four(x * to.factor)} ${to.unit}`;
 }

@@ -18,6 +18,14 @@ function sampleRecord() {
 async function take(name, file, caption = "") {
   const own = { name };
   record = own;
+  // What was asked for stands first.
+  const panel = $("record-section");
+  if (panel.previousElementSibling !== $("machine")) {
+    const isFocused = panel.contains(document.activeElement) && document.activeElement;
+    $("machine").after(panel);
+    document.body.classList.add("with-record");
+    if (isFocused) isFocused.focus({ preventScroll: true });
+  }
   $("record-caption").textContent = caption;
   $("record-name").textContent = name;
   $("record-error").textContent = "";
@@ -106,25 +114,49 @@ function askRecord() {
     }
     seek();
   });
-  const periods = Array.from({ length: 60 }, (_, i) => 0.05 * 100 ** (i / 59));
-  ask("spectrum", { ...more, periods }, ({ ok }) => {
+  // Points at equal ratios, then two rounds beside the peaks, which would be cut.
+  const round = (periods, before, left) => ask("spectrum", { ...more, periods }, ({ ok }) => {
+    const found = ok && before ? joined(before, ok) : ok;
+    const finer = ok && left ? besidePeaks(found) : [];
+    if (finer.length) return round(finer, found, left - 1);
     record.answered = asked;
     fileButtons();
     $("spectrum").classList.remove("stale");
-    shown.spectrum = ok;
-    if (ok) showSpectrum(ok);
+    shown.spectrum = found;
+    if (found) showSpectrum(found);
     else charts.spectrum.svg.replaceChildren();
   });
+  round(Array.from({ length: 100 }, (_, i) => 0.05 * 100 ** (i / 99)), null, 2);
+}
+
+const sizes = ({ answers }) => answers.max_displacement.map((x, i) => Math.max(Math.abs(x), Math.abs(answers.min_displacement[i])));
+
+// Two parts of a spectrum in the order of their periods.
+function joined(first, second) {
+  const periods = [...first.periods, ...second.periods];
+  const order = periods.map((_, i) => i).sort((a, b) => periods[a] - periods[b]);
+  const names = ["max_displacement", "min_displacement"];
+  const answers = Object.fromEntries(names.map((name) => [name, order.map((i) => [...first.answers[name], ...second.answers[name]][i])]));
+  return { ...first, periods: order.map((i) => periods[i]), answers };
+}
+
+// Four periods within each interval beside a greatest value.
+function besidePeaks(found) {
+  const [{ periods }, size] = [found, sizes(found)];
+  const tops = size.flatMap((x, i) => (i && i < size.length - 1 && x >= size[i - 1] && x >= size[i + 1] ? [i] : []));
+  const intervals = [...new Set(tops.flatMap((i) => [i - 1, i]))];
+  return intervals.flatMap((i) => [1, 2, 3, 4].map((n) => periods[i] * (periods[i + 1] / periods[i]) ** (n / 5)));
 }
 
 const RECORD_KEY = ["max_displacement", "min_displacement", "residual_displacement", "max_absolute_acceleration", "max_transmitted_force", "slides", "stops", "reversals", "stick_time", "friction_work"];
 
 function showRecord(found) {
   const { load, shaken, speed } = charts;
+  const legend = restLegend(found.rest);
   const axis = [Math.min(found.load.time[0], found.time[0]), Math.max(found.time.at(-1), found.load.time.at(-1))];
   const rows = [[load, found.load.time, fitted(found.load.value, found.load.unit), "load"], [shaken, found.time, fitted(found.displacement, found.units.displacement), "displacement"], [speed, found.time, fitted(found.velocity, found.units.velocity), "velocity"]];
   rows.forEach(([chart, times, { values, unit }, words], i) => {
-    chart.begin({ x: axis, y: range(values), xlabel: i === 2 ? "time (s)" : "", ylabel: `${words} (${unit})` });
+    chart.begin({ x: axis, y: range(values), xlabel: i === 2 ? "time (s)" : "", ylabel: `${words} (${unit})`, legend: chart === load ? [] : legend });
     if (chart === load) chart.line(times, values, chart.ink.second, { width: 1.2 });
     else withRests(chart, times, values, found.rest);
     cursor(chart, times, values);
@@ -152,14 +184,16 @@ function showHysteresis(found) {
   const chart = charts.hysteresis;
   const [way, force] = [fitted(found.displacement, found.units.displacement), fitted(found.force, found.units.force)];
   chart.begin({ x: range(way.values), y: range(force.values), xlabel: `displacement (${way.unit})`, ylabel: `force on the support (${force.unit})` });
-  chart.line(way.values, force.values, chart.ink.slide, { width: 1.2 });
+  // Of a long record only some states are drawn, which are no neighbours.
+  const isWhole = found.count === found.time.length;
+  const [places, forces] = isWhole ? withJumps(found.time, found.velocity, found.displacement, found.force, false) : [found.displacement, found.force];
+  chart.line(places.map((x) => x * way.factor), forces.map((x) => x * force.factor), chart.ink.slide, { width: 1.2 });
   chart.read = (x, y) => ({ x, text: `${four(x)} ${way.unit}, ${four(y)} ${force.unit}` });
 }
 
 function showSpectrum(found) {
   const chart = charts.spectrum;
-  const most = found.answers.max_displacement.map((x, i) => Math.max(Math.abs(x), Math.abs(found.answers.min_displacement[i])));
-  const { values, unit } = fitted(most, found.unit);
+  const { values, unit } = fitted(sizes(found), found.unit);
   const positive = values.filter((x) => x > 0);
   chart.begin({
     x: [found.periods[0], found.periods.at(-1)], y: positive.length ? [Math.min(...positive) / 1.4, Math.max(...positive) * 1.4] : [0.1, 1],
@@ -241,10 +275,15 @@ $("file").onchange = () => {
 };
 $("sample").onclick = () => {
   isSought = true;
-  // A record needs a mass.
-  if (state.mode !== "machine") changeMode("machine");
-  take("sample.csv", new Blob([sampleRecord()]), "The example: a shake of 15 s below 0.3 g, which grows and dies away, moves the base of the machine above in place of its vibration.");
-  $("about").textContent = "The record and the motion under it are at the end of the page.";
+  // An example brings its own machine.
+  remember();
+  VIEWS.one.put(structuredClone(VIEWS.one.start()));
+  remember();
+  take("sample.csv", new Blob([sampleRecord()]), "The example: a shake of 15 s below 0.3 g, which grows and dies away, moves the base of the machine in place of its vibration.");
+};
+$("own").onclick = () => {
+  isSought = true;
+  $("file").click();
 };
 for (const id of ["step", "column", "record-units"]) $(id).oninput = () => record?.file && askRecord();
 document.body.addEventListener("dragover", (event) => {

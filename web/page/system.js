@@ -92,20 +92,41 @@ function systemText(of = two) {
   return `${lines.join("\n")}\n`;
 }
 
-let systemTimer = 0;
+let [systemTimer, systemLate] = [0, 0];
 
 function changedSystem() {
   const text = systemText();
   $("system-file").textContent = text;
   if (tab === "two") history.replaceState(null, "", currentHash());
   if (!live) return;
+  if (busy.isStopped) stopped(false);
+  // What is of another system is dimmed, gives no file, and after a moment has no verdict.
+  if (twoAnswer?.text !== text) {
+    shown.systemCurve = undefined;
+    $("system-shown").classList.add("stale");
+    clearTimeout(systemLate);
+    systemLate = setTimeout(() => {
+      $("system-verdict").textContent = "Computing …";
+      $("system-border").textContent = "";
+    }, 1000);
+  }
+  fileButtons();
   live.ask("system", { ask: "system", text, count: 600 }, ({ ok, error }) => {
     if (systemText() !== text) return;
+    clearTimeout(systemLate);
     $("system-error").textContent = error ?? "";
     $("system-shown").hidden = error !== undefined;
-    twoAnswer = ok ?? null;
+    $("system-shown").classList.remove("stale");
+    $("two-curve").classList.toggle("stale", !shown.systemCurve);
+    twoAnswer = ok ? { ...ok, text } : null;
     if (ok) showSystem(ok);
+    fileButtons();
+    askSystemCurve(text);
   });
+}
+
+// The curve about the natural frequencies, when the fields are still.
+function askSystemCurve(text) {
   clearTimeout(systemTimer);
   systemTimer = setTimeout(() => {
     const own = parts(two.frequency);
@@ -115,7 +136,10 @@ function changedSystem() {
     const even = Array.from({ length: 160 }, (_, i) => low * (high / low) ** (i / 159));
     const frequencies = [...even, ...modes].sort((a, b) => a - b);
     slow.ask("system-curve", { ask: "system-curve", text, frequencies }, ({ ok }) => {
-      if (ok && systemText() === text) showSystemCurve(ok);
+      if (!ok || systemText() !== text) return;
+      showSystemCurve(ok);
+      $("two-curve").classList.remove("stale");
+      fileButtons();
     });
   }, 200);
 }
@@ -130,11 +154,11 @@ function systemFromHash(text) {
   return true;
 }
 
-const systemCharts = {
+Object.assign(charts, {
   places: new Chart($("two-motion"), { title: "Displacements of the two masses over time", height: 220 }),
   force: new Chart($("two-force"), { title: "Force of the contact over its displacement", height: 220 }),
-  curve: new Chart($("two-curve"), { title: "Peak displacements over the frequency of the load", height: 260 }),
-};
+  systemCurve: new Chart($("two-curve"), { title: "Peak displacements over the frequency of the load", height: 260 }),
+});
 
 function showSystem(found) {
   const { motion, samples } = found;
@@ -153,11 +177,14 @@ function showSystem(found) {
     const most = motion.max_absolute_acceleration?.[i];
     if (most !== undefined) entry(list, `${name}: peak absolute acceleration`, readable(most, units.acceleration), `${most} ${units.acceleration}`);
   });
+  // What is below the rounding of the works has no digit that is right.
+  const works = motion.elements.reduce((sum, { work }) => sum + Math.abs(work), Math.abs(motion.load_work ?? 0));
   for (const element of motion.elements) {
     const words = { contact: "sticks", elastic: "holds", stop: "open" }[element.kind];
     const part = motion.period > 0 ? ` (${four((100 * element.time_at_rest) / motion.period)} %)` : "";
     entry(list, `${element.name}: ${words}`, `${readable(element.time_at_rest, "s")}${part}, ${element.stops} ${element.stops === 1 ? "time" : "times"}`, `${element.time_at_rest} s`);
-    entry(list, `${element.name}: work`, readable(element.work, units.work), `${element.work} ${units.work}`);
+    // A stop of the page has no damper, and does no work in a period.
+    if (element.kind !== "stop") entry(list, `${element.name}: work`, readable(Math.abs(element.work) < 1e-12 * works ? 0 : element.work, units.work), `${element.work} ${units.work}`);
   }
   const hertz = (own) => own.map((omega) => four(omega / (2 * Math.PI))).join(", ");
   entry(list, "natural frequencies, sliding", `${hertz(found.description.natural_frequencies)} Hz`);
@@ -177,7 +204,7 @@ function showSystem(found) {
   const columns = motion.coordinates.map((_, i) => samples.displacement.map((row) => row[i]));
   const to = fitting(Math.max(...columns.map(largest)), units.displacement);
   const sized = columns.map((list) => list.map((x) => x * to.factor));
-  const { places, force } = systemCharts;
+  const { places, force } = charts;
   places.begin({ x: [samples.time[0], samples.time.at(-1)], y: range(sized.flat()), xlabel: "time (s)", ylabel: `displacement (${to.unit})`, legend: motion.coordinates.map((name, i) => [name, i ? ink.stick : ink.slide, i ? "7 3" : ""]) });
   sized.forEach((list, i) => places.line(samples.time, list, i ? ink.stick : ink.slide, { dash: i ? "7 3" : "" }));
   places.read = (x) => {
@@ -201,7 +228,7 @@ function showSystem(found) {
 const unitOfForce = () => two.units.split(",")[0].trim();
 
 function showSystemCurve(found) {
-  const chart = systemCharts.curve;
+  const chart = charts.systemCurve;
   const ink = palette();
   const all = found.displacement.flat().filter((x) => x > 0);
   $("two-curve").hidden = !all.length;
@@ -219,42 +246,91 @@ function showSystemCurve(found) {
   shown.systemCurve = found;
 }
 
-// ---- the sketch of the two masses
+// ---- the sketch of the two masses: bodies on wheels or on plates that rub, and what is between them
 
 const twoSketch = (() => {
-  const svg = node("svg", { viewBox: "0 0 520 120", width: "100%", role: "img", "aria-label": "Two masses on a floor, joined by springs" });
-  const floor = node("path", { d: "M20 104H500M30 30V104", fill: "none", "stroke-width": 2 });
-  const springs = [node("path", { fill: "none", "stroke-width": 2 }), node("path", { fill: "none", "stroke-width": 2 })];
-  const blocks = [140, 330].map(() => node("rect", { y: 46, width: 70, height: 52, rx: 3 }));
-  const names = ["lower", "upper"].map((name) => node("text", { y: 76, "font-size": 13, "font-family": "system-ui, sans-serif", "text-anchor": "middle" }, name));
-  const mark = node("text", { y: 30, "font-size": 12, x: 260, "font-family": "system-ui, sans-serif", "text-anchor": "middle" });
-  svg.append(floor, ...springs, ...blocks, ...names, mark);
+  const svg = node("svg", { viewBox: "0 0 560 196", width: "100%", role: "img", "aria-label": "Two masses on a floor, with the springs, dampers, contact, stop and load of the fields" });
   $("two-body").append(svg);
-  return { svg, floor, springs, blocks, names, mark, most: 0 };
+  return { svg, most: 0 };
 })();
+// Metres in the units of a gap.
+const METRES = { m: 1, cm: 1e-2, mm: 1e-3, "µm": 1e-6, in: 0.0254, ft: 0.3048 };
+
+// Symbols from one place to another at a height, as paths.
+const zigzag = (from, to, y) => `M${from} ${y}${Array.from({ length: 13 }, (_, n) => `L${(from + ((n + 1) * (to - from)) / 14).toFixed(1)} ${y + (n % 2 ? 6 : -6)}`).join("")}L${to} ${y}`;
+const dashpot = (from, to, y) => {
+  const middle = (from + to) / 2;
+  return `M${from} ${y}H${middle - 4}m0 -6v12M${middle + 10} ${y - 8}h-20m20 16h-20M${middle + 10} ${y - 8}v16m0 -8H${to}`;
+};
+const plates = (from, to, y, isElastic) => {
+  const middle = (from + to) / 2;
+  const arm = isElastic ? zigzag(from, middle - 14, y + 4) : `M${from} ${y + 4}H${middle - 14}`;
+  return `${arm}H${middle + 14}M${to} ${y - 3}H${middle - 14}${Array.from({ length: 7 }, (_, n) => `M${middle - 12 + 4 * n} ${y + 4}l3 -7`).join("")}`;
+};
 
 function placeSystem(now) {
-  const samples = twoAnswer?.samples;
+  const samples = twoAnswer?.text === systemText() ? twoAnswer.samples : null;
   const ink = palette();
-  const { floor, springs, blocks, names, mark, most } = twoSketch;
   const part = samples ? (now % 3000) / 3000 : 0;
   const i = samples ? Math.round(part * (samples.time.length - 1)) : 0;
-  const homes = [140, 330];
-  const places = homes.map((home, k) => home + (samples && most ? (50 * samples.displacement[i][k]) / most : 0));
-  floor.setAttribute("stroke", ink.border);
-  mark.setAttribute("fill", ink.text);
-  mark.textContent = `contact between ${two.contact.replace(",", " and ")}: ${two.friction || "none"}${two.gap?.trim() ? `; stop after ${two.gap}` : ""}`;
-  places.forEach((x, k) => {
-    blocks[k].setAttribute("x", x);
-    blocks[k].setAttribute("fill", k ? ink.stick : ink.slide);
-    names[k].setAttribute("x", x + 35);
-    names[k].setAttribute("fill", ink.paper);
-    const from = k ? places[0] + 70 : 30;
-    const step = (x - from) / 14;
-    const has = two[k ? "k2" : "k1"]?.trim();
-    springs[k].setAttribute("d", has ? `M${from} 70${Array.from({ length: 13 }, (_, n) => `L${(from + (n + 1) * step).toFixed(1)} ${n % 2 ? 77 : 63}`).join("")}L${x} 70` : "");
-    springs[k].setAttribute("stroke", ink.border);
+  const [homes, width, floor, wall] = [[150, 370], 84, 160, 30];
+  const pixels = samples && twoSketch.most ? 46 / twoSketch.most : 0;
+  const places = homes.map((home, k) => home + (samples ? pixels * samples.displacement[i][k] : 0));
+  const of = { ground: [wall, wall], lower: [places[0], places[0] + width], upper: [places[1], places[1] + width] };
+  const has = (name) => Boolean(two[name]?.trim());
+  const parts = [];
+  const path = (d, colour = ink.border, more = {}) => parts.push(node("path", { d, fill: "none", stroke: colour, "stroke-width": 2, ...more }));
+  const words = (x, y, text, more = {}) => parts.push(node("text", { x, y, "font-size": 11, "font-family": "system-ui, sans-serif", "text-anchor": "middle", fill: ink.text, ...more }, text));
+  path(`M12 ${floor}H548M${wall} 24V${floor}`);
+  path(Array.from({ length: 40 }, (_, n) => `M${24 + 13.2 * n} ${floor}l-7 7`).join(""), ink.border, { "stroke-width": 1 });
+  [["ground", "lower", "k1", "c1"], ["lower", "upper", "k2", "c2"]].forEach(([first, second, k, c]) => {
+    const [from, to] = [of[first][1], of[second][0]];
+    if (has(k)) {
+      path(zigzag(from, to, 76));
+      words((from + to) / 2, 65, two[k]);
+    }
+    if (has(c)) {
+      path(dashpot(from, to, 106));
+      words((from + to) / 2, 92, two[c]);
+    }
   });
+  const isRubbing = has("friction") && !(isZero(two.friction) && !has("elastic"));
+  const [below, above] = two.contact.split(",");
+  const friction = `friction ${two.friction}${has("elastic") ? `, elastic ${two.elastic}` : ""}`;
+  if (isRubbing && below === "lower") {
+    path(plates(of.lower[1], of.upper[0], 138, has("elastic")), ink.stick);
+    words((of.lower[1] + of.upper[0]) / 2, 127, two.friction);
+  }
+  ["lower", "upper"].forEach((name, k) => {
+    const [left, right] = of[name];
+    parts.push(node("rect", { x: left, y: 54, width, height: 94, rx: 3, fill: k ? ink.stick : ink.slide }));
+    words(left + width / 2, 98, name, { "font-size": 13, "font-weight": 600, fill: ink.paper });
+    words(left + width / 2, 115, two[`m${k + 1}`], { fill: ink.paper });
+    if (isRubbing && below === "ground" && above === name) {
+      path(`M${left + 4} 154H${right - 4}`, ink.second, { "stroke-width": 9, "stroke-dasharray": "5 2" });
+      words(left + width / 2, 182, friction);
+    } else for (const x of [left + 18, right - 18]) parts.push(node("circle", { cx: x, cy: 154, r: 5, fill: ink.paper, stroke: ink.border, "stroke-width": 2 }));
+  });
+  // The stop is an arm of its first body, which the second meets when it is beyond the gap.
+  if (has("gap")) {
+    const [first, second] = two.stop.split(",");
+    const own = /^\s*([\d.eE+-]+)\s*(\S*)/.exec(two.gap);
+    const unit = twoAnswer?.motion.units.displacement;
+    const size = own && unit ? (Number(own[1]) * (METRES[own[2] || two.units.split(",")[1]?.trim()] ?? NaN)) / METRES[unit] : NaN;
+    const room = Math.min(Number.isFinite(size) && pixels ? size * pixels : 20, 60);
+    const shift = first === "ground" ? 0 : places[0] - homes[0];
+    const at = homes[second === "lower" ? 0 : 1] + width + room + shift;
+    path(`M${first === "ground" ? wall : of[first][0] + 12} ${first === "ground" ? 40 : 54}V40H${at}V70`, ink.here, { "stroke-width": 3 });
+    words(Math.min(Math.max(at, of[second][1]) + 6, 490), 84, `gap ${two.gap}`, { "text-anchor": "start" });
+  }
+  // The load to and fro: on a body above it, of the base below the floor.
+  if (has("amplitude") && !isZero(two.amplitude)) {
+    const isBase = two.load === "base";
+    const [x, y] = isBase ? [60, 178] : [of[two.load][0] + width / 2, 28];
+    path(`M${x - 26} ${y}h52m-8 -5l8 5l-8 5M${x - 18} ${y - 5}l-8 5l8 5`, ink.text, { "stroke-width": 2.5 });
+    words(x, isBase ? 194 : 16, `${isBase ? "base " : ""}${two.amplitude}, ${two.frequency}`, isBase ? { x: 12, "text-anchor": "start" } : {});
+  }
+  twoSketch.svg.replaceChildren(...parts);
 }
 
 $("system-download").onclick = () => saved("two-masses.toml", "text/plain", systemText());
@@ -269,6 +345,3 @@ function systemColumns(samples) {
   if (samples.absolute_acceleration) add(coordinates, "absolute_acceleration", units.acceleration);
   return columns;
 }
-$("system-csv").onclick = () => {
-  if (twoAnswer?.samples) saved("stickslip-two-masses.csv", "text/csv", csvText(systemColumns(twoAnswer.samples)));
-};

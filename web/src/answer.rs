@@ -3,12 +3,14 @@
 use crate::asked::{Asked, Problem};
 use crate::map::place;
 use serde_json::{Map, Value, json};
-use stickslip::inputs::units::{Kind, System};
-use stickslip::inputs::{Given, Input, Point, Role};
+use stickslip::internal::{Column, ResponseAnswer, When};
 use stickslip::motion::{LongRun, SteadyAnswer};
-use stickslip::words::{self, digits};
-use stickslip::{Column, Definition, Drive, Measure, NoStop, Response, ResponseAnswer, When};
+use stickslip::{Definition, Drive, Measure, NoStop, Response};
+use stickslip_front::inputs::units::{Kind, System};
+use stickslip_front::inputs::{Given, Input, Point, Role};
+use stickslip_front::quantities;
 use stickslip_front::without::{is_of_friction, without_friction};
+use stickslip_front::words::{self, digits};
 
 /// The answers of `stickslip response` and `stickslip steady` to the question.
 pub(crate) fn answer(asked: &Asked<'_>) -> Result<Value, String> {
@@ -47,7 +49,7 @@ pub(crate) fn answer(asked: &Asked<'_>) -> Result<Value, String> {
         "is_frictionless": problem.is_frictionless,
         "is_free": problem.is_free,
         "notes": notes(&problem),
-        "kinds": kinds(point, &given.system),
+        "kinds": kinds(given, point),
         "six_reversals": NoStop::of(&point.ratios).six_reversals.map(|(low, high)| [low, high]),
         "machine": machine(&problem),
     }))
@@ -67,7 +69,7 @@ pub(crate) fn length(x: f64, point: &Point<f64>, system: &System) -> String {
 fn notes(problem: &Problem) -> Vec<String> {
     let Problem { given, point, .. } = problem;
     let Some(machine) = &point.machine else { return Vec::new() };
-    let base = words::base_motion(machine.drive.excitation()).map(|base| format!("Base motion {base}."));
+    let base = words::base_motion_sentence(machine.drive.excitation());
     let mean = digits(machine.scales.mean_displacement);
     let shifted = given.is_shifted().then(|| {
         format!("Displacements are measured from the mean displacement of {mean} {}.", given.system.length())
@@ -76,17 +78,20 @@ fn notes(problem: &Problem) -> Vec<String> {
 }
 
 /// The value of each kind of input that the machine could be given by instead.
-fn kinds(point: &Point<f64>, system: &System) -> Value {
+fn kinds(given: &Given<f64>, point: &Point<f64>) -> Value {
     let Some(machine) = &point.machine else { return Value::Null };
+    let system = &given.system;
     let (body, drive) = (&machine.oscillator, &machine.drive);
     let weight = body.mass() * system.gravity::<f64>();
     let turn = 2.0 * std::f64::consts::PI;
+    // That of forward motion, as it is given beside that of backward motion.
+    let friction = given.directional_friction().ok().flatten().map_or(body.friction_bound(), |(forward, _)| forward);
     let mut all = vec![
         (Input::Stiffness, body.stiffness()),
         (Input::Period, turn / body.natural_frequency()),
         (Input::PendulumRadius, weight / body.stiffness()),
-        (Input::Friction, body.friction_bound()),
-        (Input::FrictionCoefficient, body.friction_bound() / weight),
+        (Input::Friction, friction),
+        (Input::FrictionCoefficient, friction / weight),
         (Input::DampingRatio, point.ratios.damping_ratio()),
         (Input::Damping, body.damping()),
         (Input::StaticFrictionRatio, point.ratios.static_friction_ratio()),
@@ -110,8 +115,8 @@ fn kinds(point: &Point<f64>, system: &System) -> Value {
 fn machine(problem: &Problem) -> Value {
     let Problem { typed, point, .. } = problem;
     let Some(machine) = &point.machine else { return Value::Null };
-    let rows = typed.quantities(machine).into_iter();
-    rows.map(|(name, kind, value)| json!({"name": name, "value": value, "unit": typed.system.name(kind)}))
+    let rows = quantities::of_machine(typed, machine).into_iter();
+    rows.map(|(own, value)| json!({"name": own.name, "value": value, "unit": typed.system.name(own.kind)}))
         .collect()
 }
 
@@ -134,7 +139,7 @@ impl Values<'_> {
         columns.map(|column| self.value(column.definition, (column.of)(answer))).collect()
     }
 
-    fn value(&self, definition: &Definition, value: stickslip::Value<f64>) -> Value {
+    fn value(&self, definition: &Definition, value: stickslip::internal::Value<f64>) -> Value {
         let mut row = Map::new();
         let mut add = |name: &str, value: Value| row.insert(name.to_owned(), value);
         add("name", json!(definition.name));
@@ -142,24 +147,26 @@ impl Values<'_> {
         add("meaning", json!(definition.meaning));
         add("unit", json!(definition.measure.unit()));
         let value = match value {
-            stickslip::Value::Number(Some(x)) if self.is_frictionless => {
-                stickslip::Value::Number(Some(without_friction(definition.measure, x)))
+            stickslip::internal::Value::Number(Some(x)) if self.is_frictionless => {
+                stickslip::internal::Value::Number(Some(without_friction(definition.measure, x)))
             }
             value => value,
         };
         let own = match value {
             // Values in units of the friction do not exist without it.
-            stickslip::Value::Number(_) if self.is_frictionless && is_of_friction(definition.measure) => {
+            stickslip::internal::Value::Number(_)
+                if self.is_frictionless && is_of_friction(definition.measure) =>
+            {
                 Value::Null
             }
-            stickslip::Value::Number(number) => json!(number),
-            stickslip::Value::Count(count) => json!(count),
-            stickslip::Value::Flag(flag) => json!(flag),
-            stickslip::Value::Text(text) => json!(text),
-            stickslip::Value::Pairs(pairs) => json!(pairs),
+            stickslip::internal::Value::Number(number) => json!(number),
+            stickslip::internal::Value::Count(count) => json!(count),
+            stickslip::internal::Value::Flag(flag) => json!(flag),
+            stickslip::internal::Value::Text(text) => json!(text),
+            stickslip::internal::Value::Pairs(pairs) => json!(pairs),
         };
         add("value", own);
-        if let stickslip::Value::Number(number) = value
+        if let stickslip::internal::Value::Number(number) = value
             && let Some(machine) = &self.point.machine
             && let Some(name) = definition.physical_name(machine.drive.excitation())
         {

@@ -1,9 +1,9 @@
 //! The inputs of a question: a machine in units, or its ratios, and the start of its motion.
 
 use serde_json::Value;
-use stickslip::inputs::units::{Kind, Reader, System};
-use stickslip::inputs::{Given, Input, Naming, Point};
 use stickslip::motion::State;
+use stickslip_front::inputs::units::{Kind, Reader, System};
+use stickslip_front::inputs::{Given, Input, Naming, Point, Role};
 
 /// A question as the page asks it.
 pub struct Asked<'a>(pub(crate) &'a Value);
@@ -66,6 +66,16 @@ impl Asked<'_> {
             let text = "stiffness: must be > 0 on this page, whose map and curves are over the natural frequency. \
                         The command answers without a spring";
             return Err(text.to_owned());
+        }
+        // Friction and drive may be 0 here, as the library's own conditions do not say.
+        for (name, text) in self.typed() {
+            let Some(input) = Input::named(name) else { continue };
+            if matches!(input.role(), Role::Drive | Role::Friction)
+                && input != Input::Alpha
+                && typed.get(input).is_some_and(|x| x < 0.0)
+            {
+                return Err(format!("{} {text}: must be ≥ 0", name.replace('_', " ")));
+            }
         }
         let (is_frictionless, is_free) = (typed.is_without_friction(), typed.is_without_drive());
         let given = typed.without_zeros()?.into_owned();

@@ -3,11 +3,11 @@
 use crate::asked::{Asked, Problem, length};
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
-use stickslip::inputs::units::InputError;
-use stickslip::inputs::{Given, Input, Point};
 use stickslip::motion::Amplitude;
 use stickslip::{Border, Regime};
 use stickslip_front::curve::{Axis, Place, Source};
+use stickslip_front::inputs::units::InputError;
+use stickslip_front::inputs::{Given, Input, Point};
 
 /// The most frequencies of a curve.
 const MOST: u64 = 5000;

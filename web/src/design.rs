@@ -3,9 +3,9 @@
 use crate::asked::{Asked, Problem};
 use serde_json::{Value, json};
 use stickslip::design;
-use stickslip::inputs::Input;
-use stickslip::inputs::units::Kind;
 use stickslip::{Border, Error, Excitation, NoStop};
+use stickslip_front::inputs::Input;
+use stickslip_front::inputs::units::Kind;
 
 /// A row: the name, the value or the reason for its absence, and the unit.
 fn row(name: &str, found: Result<f64, Error>, unit: &str) -> Value {

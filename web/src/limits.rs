@@ -3,10 +3,8 @@
 use crate::asked::{Asked, Problem, length};
 use serde_json::{Value, json};
 use stickslip::motion::{LongRun, Starts, attractors};
-use stickslip::words;
-
-/// The most periods that a start is followed, as `stickslip attractors` follows it.
-const PERIODS: u32 = 2000;
+use stickslip_front::limits::PERIODS;
+use stickslip_front::words;
 
 /// The limits that `count` starts lead to, as `stickslip attractors` finds them.
 pub(crate) fn limits(asked: &Asked<'_>) -> Result<Value, String> {

@@ -3,8 +3,9 @@
 use crate::asked::Asked;
 use serde_json::{Value, json};
 use std::ops::ControlFlow;
+use stickslip::internal::observed;
 use stickslip::motion::{DEFAULT_BUDGET, LongRun, State};
-use stickslip::{Border, Error, Ratios, Regime, observed};
+use stickslip::{Border, Error, Ratios, Regime};
 
 /// The names of the places without a number of stops, by their codes −1, −2, …
 pub(crate) const NAMES: [&str; 6] = [

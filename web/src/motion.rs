@@ -4,8 +4,8 @@ use crate::asked::{Asked, Problem};
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
 use stickslip::Error;
-use stickslip::inputs::units::Kind;
 use stickslip::motion::{LongRun, Trajectory};
+use stickslip_front::inputs::units::Kind;
 
 /// The most turns of the drive that are shown.
 const MOST_TURNS: u32 = 60;

@@ -3,9 +3,9 @@
 use crate::asked::Asked;
 use serde_json::{Map, Value, json};
 use stickslip::Excitation;
-use stickslip::inputs::units::{Kind, Reader, System};
-use stickslip::inputs::{Given, Input, Role};
 use stickslip::motion::record::{Body, Entry, Record, RecordAnswer, RecordState};
+use stickslip_front::inputs::units::{Kind, Reader, System};
+use stickslip_front::inputs::{Given, Input, Role};
 use stickslip_front::record::{Channel, Options, Reading, Words, follows, read};
 
 /// The parts of the time of a picture.
@@ -94,7 +94,7 @@ pub(crate) fn table(asked: &Asked<'_>) -> Result<Value, String> {
     let reader = asked.reader()?;
     let record = load(asked, &reader)?.record;
     let given = body_inputs(asked, &reader)?;
-    let rows = rows(&Body::given(&given, None)?, &record).map_err(|e| named(asked, &e))?;
+    let rows = rows(&given.body(None)?, &record).map_err(|e| named(asked, &e))?;
     let names = [
         ("time", Kind::Time),
         ("displacement", Kind::Length),
@@ -118,10 +118,10 @@ pub(crate) fn record(asked: &Asked<'_>) -> Result<Value, String> {
     let reading = load(asked, &reader)?;
     let unused = reading.unused.clone();
     let channel = Channel::from(reading);
-    let read = channel.sentences(stickslip::words::digits);
+    let read = channel.sentences(stickslip_front::words::digits);
     let Channel { record, summary, .. } = channel;
     let given = body_inputs(asked, &reader)?;
-    let body = Body::given(&given, None)?;
+    let body = given.body(None)?;
     let named = |e| named(asked, &e);
     let answer = body.follow_from(&record, 0.0, 0.0).map_err(named)?;
     for (name, _, entry) in answer.entries() {
@@ -173,8 +173,7 @@ pub(crate) fn spectrum(asked: &Asked<'_>) -> Result<Value, String> {
     for &period in &periods {
         let mut given = given.clone();
         given.set(Input::Period, period);
-        let answer =
-            Body::given(&given, None)?.follow(&record).map_err(|e| format!("period {period}: {e}"))?;
+        let answer = given.body(None)?.follow(&record).map_err(|e| format!("period {period}: {e}"))?;
         for (name, _, entry) in answer.entries() {
             let value = match entry {
                 Entry::Value(value) => json!(value),

@@ -3,7 +3,9 @@
 use crate::asked::Asked;
 use serde_json::{Map, Value, json};
 use std::path::Path;
-use stickslip::inputs::units::Kind;
+use stickslip_front::curve::SETTLED;
+use stickslip_front::inputs::units::Kind;
+use stickslip_front::limits::MOST_ADDED;
 use stickslip_front::system::{
     Answer, Description, NamedSystem, OfBorder, Samples, border_verdict, parsed, steady_verdict,
 };
@@ -55,7 +57,10 @@ pub(crate) fn system(asked: &Asked<'_>) -> Result<Value, String> {
         let until: f64 = system.reader().value("until", text, Kind::Time)?;
         system.check_until(until, &format!("until {text}"))?;
         let motion = engine.simulate(&described.start, until).map_err(failed)?;
-        add("verdict", json!(format!("The motion from the start to {} s.", stickslip::words::digits(until))));
+        add(
+            "verdict",
+            json!(format!("The motion from the start to {} s.", stickslip_front::words::digits(until))),
+        );
         add("motion", as_json(&Answer::transient(described, &motion))?);
         add("samples", samples(&described.start, until)?);
     } else {
@@ -80,9 +85,6 @@ pub(crate) fn system(asked: &Asked<'_>) -> Result<Value, String> {
     }
     Ok(Value::Object(found))
 }
-
-/// The most answers that the peaks of one coordinate ask for, as in a picture of the command.
-const MOST_ADDED: usize = 200;
 
 /// The steady motion at a frequency of the loads: the greatest displacements, the rests of the contacts and the kind, where
 /// there is one.
@@ -119,10 +121,9 @@ impl Place {
         self.sizes.get(coordinate).copied()
     }
 
-    /// A motion that has not settled has no height of its own.
     fn height(&self, coordinate: usize) -> f64 {
-        let settled = matches!(self.kind, Some("periodic" | "rest"));
-        self.size(coordinate).filter(|_| settled).unwrap_or(f64::NAN)
+        let is_settled = self.kind.is_some_and(|kind| SETTLED.contains(&kind));
+        self.size(coordinate).filter(|_| is_settled).unwrap_or(f64::NAN)
     }
 }
 

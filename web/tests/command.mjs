@@ -82,13 +82,15 @@ test("a machine in units is that of the command, whichever inputs give it", () =
     const ran = spawnSync(command, ["steady", ...options, "--format", "json"], { encoding: "utf8" });
     assert.equal(ran.status, 0, `${options}: ${ran.stderr}`);
     const { physical } = JSON.parse(ran.stdout);
-    const { machine } = ask({ ask: "answer", inputs });
+    const { machine, kinds } = ask({ ask: "answer", inputs });
     for (const { name, value, unit } of machine) {
       assert.equal(value, physical[name], `${JSON.stringify(inputs)}: ${name}`);
       assert.equal(unit, physical.units[name], `${JSON.stringify(inputs)}: unit of ${name}`);
     }
     // The friction against forward motion is the typed one.
     if (inputs.friction_backward) assert.equal(machine.find(({ name }) => name === "friction").value, 500);
+    // So is the one that a switch from another kind of friction writes into its field.
+    if (inputs.friction_backward) assert.equal(kinds.friction.value, 500);
     for (const name of Object.keys(inputs)) if (name in physical) assert.ok(machine.some((row) => row.name === name), name);
   }
 });

@@ -41,7 +41,7 @@ pub(crate) struct AttractorsArgs {
     #[arg(long, value_name = "R", allow_hyphen_values = true)]
     pub(crate) reach: Option<String>,
     /// Periods of the drive to follow from each start
-    #[arg(long, value_name = "N", allow_hyphen_values = true, default_value_t = 2000)]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, default_value_t = stickslip_front::limits::PERIODS)]
     pub(crate) max_periods: u32,
     /// Also search by Newton's method for periodic motions of up to N turns of the drive that no start
     /// leads to, such as unstable ones. There may be others
@@ -78,7 +78,7 @@ pub(crate) struct BasinsArgs {
     #[arg(long, value_name = "V", allow_hyphen_values = true)]
     pub(crate) v0: Option<String>,
     /// Periods of the drive to follow from each start
-    #[arg(long, value_name = "N", allow_hyphen_values = true, default_value_t = 2000)]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, default_value_t = stickslip_front::limits::PERIODS)]
     pub(crate) max_periods: u32,
     #[command(flatten)]
     pub(crate) rows: RowsArgs,

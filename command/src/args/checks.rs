@@ -7,7 +7,7 @@ use clap::ArgMatches;
 use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
-use stickslip::inputs::units::Reader;
+use stickslip_front::inputs::units::Reader;
 
 /// Fails at an option whose number is followed by a unit, as in `--force 30 N`.
 pub(super) fn check_units(words: &[OsString]) -> Outcome {

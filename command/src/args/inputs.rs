@@ -3,7 +3,7 @@
 use clap::error::ErrorKind;
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches};
 use std::ops::Deref;
-use stickslip::inputs::{Input, Role};
+use stickslip_front::inputs::{Input, Role};
 
 /// The inputs of these parts as they were typed, in the order of the table. A value may have a unit, such as 800kg. Bare
 /// numbers are in one consistent system.

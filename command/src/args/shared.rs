@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
-use stickslip::inputs::units::{Reader, System};
+use stickslip_front::inputs::units::{Reader, System};
 
 /// The help of `--header`, a text because rustdoc would take the unit for a link.
 pub(super) const HEADER: &str =

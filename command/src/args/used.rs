@@ -3,8 +3,8 @@
 use crate::failure::Outcome;
 use clap::ArgMatches;
 use clap::parser::ValueSource;
-use stickslip::inputs::units::{Kind, System};
-use stickslip::inputs::{Input, Role};
+use stickslip_front::inputs::units::{Kind, System};
+use stickslip_front::inputs::{Input, Role};
 
 /// The mode of a command.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

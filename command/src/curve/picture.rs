@@ -4,9 +4,9 @@ use super::{AskedCurve, CurvePoint, Line, Source, shown};
 use crate::bits::digits;
 use crate::failure::Failure;
 use crate::map::capital;
-use stickslip::inputs::Input;
-use stickslip_figures::{Axis, Figure, Panel, Series, Style};
+use stickslip_draw::{Axis, Figure, Panel, Series, Style};
 use stickslip_front::curve::Place;
+use stickslip_front::inputs::Input;
 
 /// The part of the usual value below which a dip of a curve is cut off.
 const LEAST: f64 = 1e-4;

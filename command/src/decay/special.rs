@@ -3,7 +3,7 @@
 use crate::args::DecayArgs;
 use crate::bits::{Value, digits};
 use crate::failure::{Failure, Outcome};
-use crate::input::{behind_all, has_unit_mass};
+use crate::input::behind_all;
 use crate::note::line;
 use crate::output;
 use crate::outputs::key;
@@ -12,9 +12,9 @@ use crate::row::{Cell, Cells};
 use crate::shaken::Surface;
 use std::io::Write;
 use stickslip::Excitation;
-use stickslip::inputs::Given;
-use stickslip::inputs::units::Kind;
 use stickslip::motion::record::Record;
+use stickslip_front::inputs::Given;
+use stickslip_front::inputs::units::Kind;
 
 pub(super) fn respond<F: Value>(
     args: &DecayArgs,
@@ -33,7 +33,7 @@ pub(super) fn respond<F: Value>(
         return Err("--v0 is missing, or --x0".to_owned().into());
     }
     let [x0, v0] = surface.start(&reader, [args.x0.as_deref(), args.v0.as_deref()])?;
-    has_unit_mass(&args.machine, &mut given);
+    given.cancel_mass();
     let body = surface.body(&given)?;
     let zero = F::int(0);
     // A record of no load, so short that the body hardly moves in it: the motion is that after it.

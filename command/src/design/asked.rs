@@ -7,9 +7,10 @@ use crate::failure::{Failure, Outcome};
 use crate::input;
 use crate::row::Cell;
 use std::io::Write;
-use stickslip::inputs::units::{self, Kind, Reader, System};
-use stickslip::inputs::{Given, Input, Role, in_typed_unit};
-use stickslip::{Drive, Error, Oscillator, Quantity, Ratios};
+use stickslip::{Drive, Error, Excitation, Oscillator, Quantity, Ratios};
+use stickslip_front::inputs::units::{self, Kind, Reader, System};
+use stickslip_front::inputs::{Given, Input, Role, in_typed_unit};
+use stickslip_front::words;
 
 /// The arguments of a question, read on demand.
 pub(super) struct AskedDesign<'a, F> {
@@ -98,8 +99,8 @@ impl<'a, F: Value> AskedDesign<'a, F> {
         let typed = input::frequency_unit::<F>(typed.flatten()).filter(|(_, factor)| *factor != self.one);
         let (other, factor) = typed.unwrap_or_else(|| ("Hz".to_owned(), F::int(2) * F::pi()));
         writeln!(out, "{}", answer.sentence)?;
-        if let Some(base) = self.base_motion() {
-            writeln!(out, "Base motion {base}.")?;
+        if let Some(base) = self.excitation().and_then(words::base_motion_sentence) {
+            writeln!(out, "{base}")?;
         }
         for row in &answer.rows {
             writeln!(out)?;
@@ -118,6 +119,10 @@ impl<'a, F: Value> AskedDesign<'a, F> {
                         let ranges: Vec<_> = intervals.iter().flatten().map(range).collect();
                         format!("{} {other}", ranges.join(" and "))
                     }
+                    (Cell::Number(Some(value)), Kind::Unbalance) => {
+                        let (unit, factor) = self.system().for_reading(*kind);
+                        format!("{} {unit}", digits(factor.times(*value)))
+                    }
                     (Cell::Number(_) | Cell::Intervals(_), kind) if *kind != Kind::Ratio => {
                         format!("{} {unit}", cell.shown().text())
                     }
@@ -133,14 +138,14 @@ impl<'a, F: Value> AskedDesign<'a, F> {
         NamedRow {
             row: shown(row),
             system: self.physical.then(|| *self.system()),
-            base_motion: self.base_motion(),
+            base_motion: self.excitation().and_then(words::base_motion),
         }
     }
 
-    /// The kind of base motion of the question, if any.
-    pub(super) fn base_motion(&self) -> Option<&'static str> {
+    /// How the drive of the question excites the body, if there is one.
+    fn excitation(&self) -> Option<Excitation> {
         let (input, _) = self.given.one_of(Role::Drive).ok()??;
-        stickslip::words::base_motion(input.excitation()?)
+        input.excitation()
     }
 
     /// The failure: the error, preceded by the arguments of the machine, the range or the target that caused

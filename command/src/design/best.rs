@@ -6,8 +6,8 @@ use crate::failure::Failure;
 use crate::row::Cell;
 use stickslip::Error;
 use stickslip::design::{self, BoundedOptimum, Optimum, OptimumKind};
-use stickslip::inputs::Input;
-use stickslip::inputs::units::Kind;
+use stickslip_front::inputs::Input;
+use stickslip_front::inputs::units::Kind;
 
 /// An optimum, with the bound on every other value if it is one of all motions.
 struct Best<F> {

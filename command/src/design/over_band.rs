@@ -9,8 +9,8 @@ use crate::figure::{PLAIN, Target};
 use crate::row::Cell;
 use stickslip::Excitation;
 use stickslip::design::{self, Aim, BandFriction, BandFrictionKind};
-use stickslip::inputs::Input;
-use stickslip::inputs::units::Kind;
+use stickslip_front::inputs::Input;
+use stickslip_front::inputs::units::Kind;
 
 impl DesignAim {
     /// The amplitude, the curve that shows it, its name, and its kind.

@@ -9,7 +9,7 @@ use serde::Serialize;
 use std::io::Write;
 use stickslip::Regime;
 use stickslip::design::{TargetFriction, frictions_for_displacement};
-use stickslip::inputs::units::Kind;
+use stickslip_front::inputs::units::Kind;
 
 /// The answer as JSON.
 #[derive(Serialize)]

@@ -6,8 +6,8 @@ use crate::{output, style};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::Write;
 use stickslip::enclosed::{self, Enclosure, Known, Regime, Response, Steady, Unproved};
-use stickslip::inputs::Input;
 use stickslip::{Error, Output, Quantity};
+use stickslip_front::inputs::Input;
 
 /// The default number of bits of an enclosure.
 pub(crate) const BITS: u32 = 64;

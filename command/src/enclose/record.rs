@@ -12,8 +12,8 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::Write;
 use stickslip::enclosed::{self, Enclosure};
 use stickslip::float::Mp;
-use stickslip::inputs::units::{Kind, System};
 use stickslip::motion::record::{Entry, RecordAnswer};
+use stickslip_front::inputs::units::{Kind, System};
 
 /// The precision at which inputs are read, in words of 64 bits: that of the widest computation.
 const WORDS: usize = 65;

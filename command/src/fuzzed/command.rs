@@ -6,7 +6,7 @@ use crate::failure::{Failure, Outcome};
 use crate::{closed, decay, described, design, grid, under_record};
 use std::path::PathBuf;
 use std::sync::LazyLock;
-use stickslip::inputs::Input;
+use stickslip_front::inputs::Input;
 
 /// The file of a run.
 static POINTS: LazyLock<PathBuf> = LazyLock::new(|| super::file("command"));

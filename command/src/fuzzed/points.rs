@@ -9,7 +9,7 @@ use csv::{ReaderBuilder, StringRecord, Trim};
 use serde_json::Value;
 use std::path::PathBuf;
 use std::sync::LazyLock;
-use stickslip::inputs::Input;
+use stickslip_front::inputs::Input;
 
 /// The file with the points of a run.
 static FILE: LazyLock<PathBuf> = LazyLock::new(|| super::file("points"));

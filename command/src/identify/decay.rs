@@ -12,8 +12,8 @@ use std::io::Write;
 use std::path::Path;
 use stickslip::Error;
 use stickslip::design::{DecayIdentified, TurningPoints, identify_decay, identify_turning_points};
-use stickslip::inputs::units::{Kind, Reader};
-use stickslip::inputs::{Given, Input, Role, critical_damping};
+use stickslip_front::inputs::units::{Kind, Reader};
+use stickslip_front::inputs::{Given, Input, Role, critical_damping};
 
 /// The greatest number of rows.
 const MOST_ROWS: usize = 100_000;

@@ -12,9 +12,9 @@ use std::io::Write;
 use std::path::Path;
 use stickslip::Excitation;
 use stickslip::design::{MotionIdentified, identify_motion};
-use stickslip::inputs::Given;
-use stickslip::inputs::units::{Kind, Reader};
 use stickslip::motion::record::Record;
+use stickslip_front::inputs::Given;
+use stickslip_front::inputs::units::{Kind, Reader};
 
 /// The greatest number of rows: a fit follows the motion some thousand times.
 const MOST_ROWS: usize = 20_000;
@@ -149,7 +149,7 @@ impl MotionFile {
 }
 
 impl MotionAnswer {
-    fn text(&self, system: &stickslip::inputs::units::System, out: &mut impl Write) -> Outcome {
+    fn text(&self, system: &stickslip_front::inputs::units::System, out: &mut impl Write) -> Outcome {
         writeln!(
             out,
             "Friction and damping that explain the motion of {} samples best:\n",

@@ -1,8 +1,10 @@
 //! The picture of a map.
 
 use super::BORDER_POINTS;
+use super::limits;
+use super::points::{Absence, Map, Mapped, margin};
 use super::resonance::is_unbounded;
-use super::{Absence, Map, Mapped, limits, margin};
+use super::symmetry::Breaks;
 use crate::bits::digits;
 use crate::failure::{Failure, Outcome};
 use crate::grid::Grid;
@@ -10,8 +12,8 @@ use crate::input;
 use crate::outputs;
 use crate::row::Cell;
 use std::collections::BTreeSet;
-use stickslip::inputs::{Input, Role};
-use stickslip_figures::{Axis, Figure, Panel, Plane, Scale, Series, Style};
+use stickslip_draw::{Axis, Figure, Panel, Plane, Scale, Series, Style};
+use stickslip_front::inputs::{Input, Role};
 
 impl Map<'_> {
     /// The meaning of the colours, in words, with the unit.
@@ -188,7 +190,7 @@ impl Map<'_> {
         if unbounded.iter().any(|(x, y)| y.is_finite() && (across.0..=across.1).contains(x)) {
             series.push(Series::new("unbounded", Style::Line, 3, unbounded));
         }
-        let limits::Breaks { by_multiplier, others, missing } = self.breaks()?;
+        let Breaks { by_multiplier, others, missing } = self.breaks()?;
         let lines = [
             ("symmetry breaks at a multiplier of −1", 1, by_multiplier),
             ("a symmetric motion ends by a jump or a fold", 3, others),

@@ -1,11 +1,11 @@
 //! The columns beside resonance in a picture of a map, and the line on which the motion is unbounded.
 
 use super::BORDER_POINTS;
-use super::{Map, Mapped};
+use super::points::{Map, Mapped};
 use crate::failure::Failure;
 use crate::input;
-use stickslip::inputs::{Given, Input, Point, Role};
 use stickslip::{Regime, Response};
+use stickslip_front::inputs::{Given, Input, Point, Role};
 
 /// The narrowest column beside resonance, as a part of the axis: a pixel.
 const COLUMN: f64 = 1.0 / 640.0;

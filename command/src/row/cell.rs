@@ -100,14 +100,14 @@ impl<F> Cell<F> {
     }
 }
 
-impl<F> From<stickslip::Value<F>> for Cell<F> {
-    fn from(value: stickslip::Value<F>) -> Self {
+impl<F> From<stickslip::internal::Value<F>> for Cell<F> {
+    fn from(value: stickslip::internal::Value<F>) -> Self {
         match value {
-            stickslip::Value::Number(number) => Self::Number(number),
-            stickslip::Value::Count(count) => Self::Count(count),
-            stickslip::Value::Flag(flag) => Self::Flag(flag),
-            stickslip::Value::Text(text) => Self::Text(text),
-            stickslip::Value::Pairs(pairs) => Self::Pairs(pairs),
+            stickslip::internal::Value::Number(number) => Self::Number(number),
+            stickslip::internal::Value::Count(count) => Self::Count(count),
+            stickslip::internal::Value::Flag(flag) => Self::Flag(flag),
+            stickslip::internal::Value::Text(text) => Self::Text(text),
+            stickslip::internal::Value::Pairs(pairs) => Self::Pairs(pairs),
         }
     }
 }

@@ -3,7 +3,7 @@
 use crate::args::{ShapeArg, SimulateArgs};
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
-use crate::input::{behind_all, has_unit_mass, read};
+use crate::input::{behind_all, read};
 use crate::outputs::{ENDS_BY, KIND};
 use crate::physical::Physical;
 use crate::progress;
@@ -12,9 +12,9 @@ use crate::shaken::Surface;
 use crate::sink::Sink;
 use std::io::Write;
 use stickslip::Excitation;
-use stickslip::inputs::units::{Kind, Reader, System};
-use stickslip::inputs::{Given, Input, Role};
 use stickslip::motion::record::{After, Record, RecordMotion};
+use stickslip_front::inputs::units::{Kind, Reader, System};
+use stickslip_front::inputs::{Given, Input, Role};
 
 /// The most samples, and the most half turns of the body's own vibration.
 const MOST: f64 = 1e6;
@@ -54,7 +54,7 @@ pub(super) fn write<F: Value>(
     let hertz = rate.map(|rate| rate / (F::int(2) * F::pi()));
     let load = Load::read(args, shape, &given, (duration, &positive))?;
     let is_force = load.excitation == Excitation::Force && shape != ShapeArg::Free;
-    let has_mass = is_force || !has_unit_mass(&args.machine, &mut given);
+    let has_mass = is_force || !given.cancel_mass();
     let surface = Surface::read(&args.surface, reader)?;
     let body = surface.body(&given)?;
     if body.stiffness() > F::int(0) && (surface.is_inclined() || given.is_shifted()) {

@@ -6,10 +6,10 @@ use crate::failure::Failure;
 use crate::grid::Grid;
 use crate::input;
 use crate::progress;
-use stickslip::inputs::Input;
-use stickslip::inputs::units::Kind;
 use stickslip::motion::record::RecordAnswer;
-use stickslip_figures::{Figure, Panel, Series, Style};
+use stickslip_draw::{Figure, Panel, Series, Style};
+use stickslip_front::inputs::Input;
+use stickslip_front::inputs::units::Kind;
 
 /// Colours of the values of the second grid; similar ones with colour blindness are left out.
 const INDICES: [usize; 5] = [2, 1, 4, 5, 6];

@@ -7,10 +7,11 @@ use crate::outputs::{ALPHA, DAMPING_RATIO, Key, OMEGA, STATIC_FRICTION_RATIO};
 use crate::physical::Physical;
 use crate::row::{Cell, Cells, Row};
 use stickslip::batch::{Batch, is_looped_with_damper};
-use stickslip::definitions::REGIME;
-use stickslip::inputs::units::Kind;
-use stickslip::inputs::{Given, Input, Point};
-use stickslip::{Excitation, Output, Ratios, Regime, ResponseAnswer};
+use stickslip::internal::ResponseAnswer;
+use stickslip::internal::definitions::REGIME;
+use stickslip::{Excitation, Output, Ratios, Regime};
+use stickslip_front::inputs::units::Kind;
+use stickslip_front::inputs::{Given, Input, Point};
 
 /// The columns of a row, all of which come from the ratios, from the machine or from loops.
 pub(crate) struct Looped {

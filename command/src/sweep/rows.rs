@@ -12,8 +12,8 @@ use crate::physical::Physical;
 use crate::row::{Cell, Cells, Row};
 use crate::{closed, input, progress, steady};
 use std::ops::Range;
-use stickslip::inputs::{Given, Input, Role};
 use stickslip::motion::{DEFAULT_BUDGET, State, Trajectory};
+use stickslip_front::inputs::{Given, Input, Role};
 
 /// The command at each point of the grids, and the format of its row.
 pub(crate) struct SweepRows<F> {

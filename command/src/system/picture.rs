@@ -7,9 +7,11 @@ use crate::motion_plot::{axis, panel};
 use crate::threads;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
-use stickslip::inputs::units::Kind as Of;
 use stickslip::system::{Element, Kind, Motion, State};
-use stickslip_figures::{Axis, Figure, Panel, Series, Style};
+use stickslip_draw::{Axis, Figure, Panel, Series, Style};
+use stickslip_front::curve::SETTLED;
+use stickslip_front::inputs::units::Kind as Of;
+use stickslip_front::limits::MOST_ADDED;
 use stickslip_front::system::{Cell, Described, Grid, NamedSystem};
 
 /// The samples of a motion between which a picture draws straight lines.
@@ -142,8 +144,7 @@ fn height(answer: &[Cell<'_>], ends: [Option<usize>; 2]) -> f64 {
     most.max(least)
 }
 
-/// The most answers that the peaks of one coordinate ask for, and those of all.
-const MOST_ADDED: usize = 500;
+/// The most answers that the peaks of all coordinates ask for.
 const MOST_OF_ALL: usize = 3000;
 /// The most of them that may have no periodic motion or rest: those take longest, and tell nothing of a peak.
 const MOST_SCATTERED: usize = 4;
@@ -163,11 +164,10 @@ fn resolved_for_all(
     let (all, scattered) = (std::cell::Cell::new(0), std::cell::Cell::new(0));
     for name in described.coordinates.iter().take(SHOWN) {
         let ends = ["max", "min"].map(|end| place_of(&format!("{name}.{end}_displacement")));
-        // A motion that has not settled has no height of its own, and its scatter has no end of peaks.
         let kind = place_of("kind");
         let is_scattered = |answer: &[Cell<'_>]| {
-            let settled = [Cell::Text("periodic"), Cell::Text("rest"), Cell::Text("uniform")];
-            kind.and_then(|place| answer.get(place)).is_some_and(|kind| !settled.contains(kind))
+            let kind = kind.and_then(|place| answer.get(place));
+            kind.is_some_and(|kind| SETTLED.iter().all(|settled| *kind != Cell::Text(settled)))
         };
         let of =
             |(x, answer): &Placed| (*x, if is_scattered(answer) { f64::NAN } else { height(answer, ends) });

@@ -4,9 +4,9 @@
 use crate::bits::digits;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
-use stickslip::inputs::units::Kind as Of;
-use stickslip::system::{Element, Kind, Law};
-use stickslip_front::system::Described;
+use stickslip::system::{Element, Kind, Law, Signal};
+use stickslip_front::inputs::units::Kind as Of;
+use stickslip_front::system::{Described, frequency_of, with_unit};
 use stickslip_front::text::printable;
 
 /// The least distance of two columns of bodies, of the lines between two bodies, and the least size of a body, in pixels.
@@ -17,6 +17,8 @@ const MARGIN: f64 = 40.0;
 /// The height of a body in a drawing that runs upwards, and the distance of two.
 const STOREY: f64 = 56.0;
 const BETWEEN: f64 = 150.0;
+/// The width of the arrow of a load.
+const ARROW: f64 = 24.0;
 /// The width from which a drawing runs upwards.
 const WIDE: f64 = 1600.0;
 /// The width of a letter.
@@ -42,7 +44,7 @@ struct Link {
 }
 
 fn quantity(described: &Described, x: f64, kind: Of) -> String {
-    described.units.map_or_else(|| digits(x), |units| format!("{} {}", digits(x), units.name(kind)))
+    with_unit(x, described.units.as_ref(), kind)
 }
 
 /// The connections that the matrices of springs and dampers have: those off the diagonal between bodies, and what is left
@@ -91,13 +93,79 @@ fn links(described: &Described) -> Vec<Link> {
                     if normal.is_some() { format!("µ = {}", digits(*friction)) } else { force(*friction) };
                 (Symbol::Elastic, format!("{}, {friction}", quantity(described, *stiffness, Of::Stiffness)))
             }
-            Kind::Stop { gap, .. } => {
+            Kind::Stop { gap, .. } | Kind::HardStop { gap, .. } => {
                 (Symbol::Stop, format!("gap {}", quantity(described, *gap, Of::Length)))
             }
         };
         links.push(Link { ends: ends(element), symbol, text: format!("{}: {what}", element.name) });
     }
     links
+}
+
+/// A sum of waves, a constant and records in words; empty where it is 0.
+fn over_time(
+    described: &Described,
+    waves: &[(f64, f64)],
+    constant: f64,
+    has_record: bool,
+    kind: Of,
+) -> String {
+    let own = |x: f64| quantity(described, x, kind);
+    let wave = |(size, omega): &(f64, f64)| {
+        format!("{} at {}", own(*size), frequency_of(*omega, described.units.as_ref()))
+    };
+    let mut all: Vec<String> = match waves {
+        [_, _, _, ..] => vec![format!("{} waves", waves.len())],
+        few => few.iter().map(wave).collect(),
+    };
+    all.extend((constant != 0.0).then(|| format!("{}, constant", own(constant))));
+    all.extend(has_record.then(|| "a record".to_owned()));
+    all.join(", ")
+}
+
+fn at(list: &[f64], place: usize) -> f64 {
+    list.get(place).copied().unwrap_or(0.0)
+}
+
+/// The loads on a body, in words, without those of a base that moves.
+fn loads(described: &Described, body: usize) -> String {
+    let model = &described.model;
+    // The load of the base on the body where its acceleration is 1.
+    let inertia = described.base.as_ref().zip(model.mass.get(body)).map_or(0.0, |(base, row)| {
+        -row.iter().zip(&base.influence).map(|(mass, share)| mass * share).sum::<f64>()
+    });
+    let of_base = |part: fn(&Signal<f64>) -> &Vec<f64>, place| {
+        inertia * described.base.as_ref().map_or(0.0, |base| at(part(&base.acceleration), place))
+    };
+    let own =
+        |whole: f64, base: f64| if (whole - base).abs() > 1e-9 * whole.abs() { whole - base } else { 0.0 };
+    let waves = model.harmonics.iter().enumerate().map(|(place, of)| {
+        let sin = own(at(&of.sin, body), of_base(|signal| &signal.sin, place));
+        (sin.hypot(own(at(&of.cos, body), of_base(|signal| &signal.cos, place))), of.frequency)
+    });
+    let waves: Vec<_> = waves.filter(|(size, _)| *size > 0.0).collect();
+    let constant = own(
+        at(&model.constant, body),
+        inertia * described.base.as_ref().map_or(0.0, |base| base.acceleration.constant),
+    );
+    let has_record = model
+        .records
+        .iter()
+        .enumerate()
+        .any(|(place, of)| own(at(&of.force, body), of_base(|signal| &signal.records, place)) != 0.0);
+    over_time(described, &waves, constant, has_record, Of::Force)
+}
+
+/// The name of the ground, with the acceleration of one that moves.
+fn ground_in_words(described: &Described) -> String {
+    let Some(base) = &described.base else { return "ground".to_owned() };
+    let Signal { constant, sin, cos, records, .. } = &base.acceleration;
+    let waves = described.model.harmonics.iter().enumerate();
+    let waves = waves.map(|(place, of)| (at(sin, place).hypot(at(cos, place)), of.frequency));
+    let waves: Vec<_> = waves.filter(|(size, _)| *size > 0.0).collect();
+    let has_record = records.iter().any(|share| *share != 0.0);
+    let text = over_time(described, &waves, *constant, has_record, Of::Acceleration);
+    if text.is_empty() { "ground".to_owned() } else { format!("ground, moves: {text}") }
 }
 
 fn escaped(text: &str) -> String {
@@ -151,7 +219,9 @@ impl Sizes {
         let longest = |widths: &mut dyn Iterator<Item = f64>| widths.fold(0.0f64, f64::max);
         let link = longest(&mut links.iter().map(|link| width(&link.text)));
         // Names are bold.
-        let body = longest(&mut described.coordinates.iter().map(|name| 1.1 * width(name))) + 16.0;
+        let names = described.coordinates.iter().map(|name| 1.1 * width(name));
+        let loads = (0..described.coordinates.len()).map(|i| width(&loads(described, i)) + 2.0 * ARROW);
+        let body = longest(&mut names.chain(loads)) + 16.0;
         let wide = body.max(BODY);
         let level = Self { column: wide + GAP.max(link + 60.0), body: wide, line: LINE, upright: None };
         if level.way(deepest) <= WIDE {
@@ -321,7 +391,9 @@ pub(super) fn svg(described: &Described, title: Option<&str>, size: Option<(u32,
         let mass = described.model.mass.get(i).and_then(|row| row.get(i)).copied().unwrap_or(0.0);
         let is_moved = described.model.moved.iter().any(|moved| moved.coordinate == i);
         let text = if is_moved { "moved".to_owned() } else { quantity(described, mass, Of::Mass) };
-        let (middle, centre) = (x + wide / 2.0, y + high / 2.0);
+        let load = loads(described, i);
+        // A load takes a third line, after an arrow to both sides.
+        let (middle, centre) = (x + wide / 2.0, y + high / 2.0 - if load.is_empty() { 0.0 } else { 9.0 });
         let _ = writeln!(
             svg,
             r##"<rect x="{x:.1}" y="{y:.1}" width="{wide:.1}" height="{high:.1}" fill="#dde7f2" stroke="black" stroke-width="1.5"/>
@@ -332,6 +404,17 @@ pub(super) fn svg(described: &Described, title: Option<&str>, size: Option<(u32,
             centre + 13.0,
             escaped(&text)
         );
+        if !load.is_empty() {
+            let (from, line) = (middle - (width(&load) + ARROW) / 2.0, centre + 25.0);
+            let _ = writeln!(
+                svg,
+                r#"<path d="M{from:.1},{line:.1}h20m-5,-4l5,4l-5,4m-10,-8l-5,4l5,4" stroke="black" stroke-width="1.5" fill="none"/>
+<text x="{:.1}" y="{:.1}" text-anchor="middle">{}</text>"#,
+                middle + ARROW / 2.0,
+                line + 4.0,
+                escaped(&load)
+            );
+        }
     }
     // A text beside the last line has its room.
     let across = under + if is_upright && under > most { line } else { MARGIN };
@@ -361,14 +444,21 @@ pub(super) fn svg(described: &Described, title: Option<&str>, size: Option<(u32,
     }
     let [a, b] = [MARGIN / 2.0, across - MARGIN].map(|across| sizes.at((MARGIN + 12.0, across)));
     let _ = write!(ground, "M{:.1},{:.1}L{:.1},{:.1}", a.0, a.1, b.0, b.1);
-    let named = if is_upright { (width / 2.0, height - MARGIN / 2.0) } else { (a.0, b.1 + 18.0) };
+    let named = if is_upright { (width / 2.0, height - MARGIN / 2.0) } else { (MARGIN / 2.0, b.1 + 18.0) };
     Some(format!(
         r#"<svg xmlns="http://www.w3.org/2000/svg" width="{wide:.0}" height="{high:.0}" viewBox="{view}" font-family="sans-serif" font-size="12">
 <rect x="{2:.1}" y="{3:.1}" width="{4:.1}" height="{5:.1}" fill="white"/>
 <path d="{ground}" stroke="black" fill="none"/>
-<text x="{0:.1}" y="{1:.1}" text-anchor="middle">ground</text>
+<text x="{0:.1}" y="{1:.1}" text-anchor="{6}">{7}</text>
 {title}{svg}</svg>
 "#,
-        named.0, named.1, from.0, from.1, seen.0, seen.1,
+        named.0,
+        named.1,
+        from.0,
+        from.1,
+        seen.0,
+        seen.1,
+        if is_upright { "middle" } else { "start" },
+        escaped(&ground_in_words(described)),
     ))
 }

@@ -13,9 +13,9 @@ use crate::sweep::{Table, write_table};
 use serde_json::Value;
 use std::io::Write;
 use std::ops::Range;
-use stickslip::inputs::units::{Kind as Of, Reader};
 use stickslip::motion::record::Record as Load;
 use stickslip::{Definition, Measure};
+use stickslip_front::inputs::units::{Kind as Of, Reader};
 use stickslip_front::system::{Asked, Axis, Cell as Found, Grid, units_of};
 use stickslip_front::text::printable;
 

@@ -6,11 +6,11 @@ use crate::failure::Outcome;
 use crate::note::line;
 use crate::output;
 use std::io::Write;
-use stickslip::inputs::units::{Kind as Of, System as Units};
 use stickslip::system::{Beyond, Border, Cycle, Element, Kind, Law, Motion, MovedBy, Steady, SteadyKind};
+use stickslip_front::inputs::units::{Kind as Of, System as Units};
 use stickslip_front::system::{
-    Described, Description, NamedSystem, border_verdict, frequency_of, kind_of, plural, sliding_verdict,
-    steady_verdict, with_unit,
+    Described, Description, NamedSystem, border_verdict, frequency_of, is_hard, kind_of, plural,
+    sliding_verdict, steady_verdict, with_unit,
 };
 
 /// A natural frequency, or the growth of a direction whose stiffness is negative.
@@ -166,6 +166,11 @@ fn of_element(element: &Element<f64>, described: &Described, units: Option<&Unit
             with_unit(*gap, units, Of::Length),
             with_unit(*stiffness, units, Of::Stiffness)
         ),
+        Kind::HardStop { gap, restitution } => format!(
+            "stop{between} beyond {}, restitution {}",
+            with_unit(*gap, units, Of::Length),
+            digits(*restitution)
+        ),
     }
 }
 
@@ -222,6 +227,10 @@ const LISTED: usize = 24;
 pub(super) fn motion(described: &Described, motion: &Motion<f64>, out: &mut impl Write) -> Outcome {
     let unit =
         |kind: Of| described.units.map_or_else(String::new, |system| format!(" {}", system.name(kind)));
+    // What is below the rounding of the works has no digit that is right.
+    let works: f64 = motion.elements.iter().map(|found| found.work.abs()).sum();
+    let least = 1e-12 * (works + motion.load_work.abs() + motion.damper_work.abs());
+    let work = |x: f64| format!("{}{}", digits(if x.abs() < least { 0.0 } else { x }), unit(Of::Energy));
     let (length, velocity) = (unit(Of::Length), unit(Of::Velocity));
     for (i, name) in described.coordinates.iter().enumerate() {
         let at = |list: &[f64]| list.get(i).copied().map_or_else(String::new, digits);
@@ -236,7 +245,7 @@ pub(super) fn motion(described: &Described, motion: &Motion<f64>, out: &mut impl
     for (element, found) in described.model.elements.iter().zip(&motion.elements) {
         writeln!(out, "{} ({})", element.name, kind_of(element))?;
         let rest = match element.kind {
-            Kind::Stop { .. } => "open",
+            Kind::Stop { .. } | Kind::HardStop { .. } => "open",
             Kind::Elastic { .. } => "holds",
             _ => "sticks",
         };
@@ -246,16 +255,15 @@ pub(super) fn motion(described: &Described, motion: &Motion<f64>, out: &mut impl
             rest,
             format!("{}{seconds}, {}", digits(found.time_at_rest), plural(found.stops, "time", "times")),
         )?;
-        line(out, "work", format!("{}{}", digits(found.work), unit(Of::Energy)))?;
+        if is_hard(element) {
+            line(out, "blows", digits(found.blows as f64))?;
+        }
+        line(out, "work", work(found.work))?;
     }
     writeln!(out, "energy")?;
-    line(out, "work of the loads", format!("{}{}", digits(motion.load_work), unit(Of::Energy)))?;
-    line(out, "work on the dampers", format!("{}{}", digits(motion.damper_work), unit(Of::Energy)))?;
-    // What is below the rounding of the works has no digit that is right.
-    let works: f64 = motion.elements.iter().map(|found| found.work.abs()).sum();
-    let least = 1e-12 * (works + motion.load_work.abs() + motion.damper_work.abs());
-    let stored = if motion.stored.abs() < least { 0.0 } else { motion.stored };
-    line(out, "stored", format!("{}{}", digits(stored), unit(Of::Energy)))?;
+    line(out, "work of the loads", work(motion.load_work))?;
+    line(out, "work on the dampers", work(motion.damper_work))?;
+    line(out, "stored", work(motion.stored))?;
     if motion.events.is_empty() {
         return Ok(writeln!(out, "no events")?);
     }
@@ -263,7 +271,10 @@ pub(super) fn motion(described: &Described, motion: &Motion<f64>, out: &mut impl
     for event in motion.events.iter().take(LISTED) {
         let name = described.name_of(event.element);
         let seconds = if described.units.is_some() { " s" } else { "" };
-        writeln!(out, "  {:>14}{seconds}  {name}: {}", digits(event.time), event.kind)?;
+        let from_to = event.velocities.map_or_else(String::new, |(before, after)| {
+            format!(" from {} to {}{velocity}", digits(before), digits(after))
+        });
+        writeln!(out, "  {:>14}{seconds}  {name}: {}{from_to}", digits(event.time), event.kind)?;
     }
     if motion.events.len() > LISTED {
         let more = motion.events.len() - LISTED;

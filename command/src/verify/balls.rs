@@ -8,8 +8,8 @@
 
 use super::case::{Arithmetic, Case, Circular, Signs};
 use super::points::{CheckPoint, Numbers};
-use super::statements::{self, Standing, Statement};
-use super::{Place, Residue, StatementVerdict};
+use super::statements::{self, Statement};
+use super::verdict::{self, Place, Residue, Standing, StatementVerdict};
 use crate::failure::Failure;
 use stickslip::cycle::equations::System;
 use stickslip::dependencies::rug::float::Round;
@@ -246,7 +246,7 @@ pub(super) fn verdicts(bits: u32) -> Result<Vec<StatementVerdict>, Failure> {
         in_turn: [|_| true, |number| number % 5 == 0],
     };
     let residues = |point: &CheckPoint<ExactRatios>| Residues { point, bits }.found();
-    super::verdicts(verdicts, &numbers.points(ExactRatios::above_border), residues, |point| {
+    verdict::verdicts(verdicts, &numbers.points(ExactRatios::above_border), residues, |point| {
         point.place.written()
     })
 }

@@ -3,8 +3,8 @@
 
 use super::case::{Arithmetic, Case, Circular, Signs};
 use super::points::{CheckPoint, Numbers};
-use super::statements::{self, Standing, Statement, statements};
-use super::{Place, Residue, StatementVerdict};
+use super::statements::{self, Statement, statements};
+use super::verdict::{self, Place, Residue, Standing, StatementVerdict};
 use crate::failure::Failure;
 use stickslip::cycle::equations::System;
 use stickslip::motion::{LongRun, Peaks, Segment, State, SteadyState, Trajectory};
@@ -341,14 +341,13 @@ pub(super) fn verdicts<F: Float>() -> Result<Vec<StatementVerdict>, Failure> {
         alpha: Some(place.alpha().to_string()),
         damping_ratio: place.is_damped().then(|| place.damping_ratio().to_string()),
     };
-    super::verdicts(verdicts.collect(), &places(), residues, written)
+    verdict::verdicts(verdicts.collect(), &places(), residues, written)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{TOLERANCE, case, case_of, places, residue, verdicts};
-    use crate::verify::Place;
-    use crate::verify::statements::{self, Standing, Statement};
+    use super::{Place, Standing, TOLERANCE, case, case_of, places, residue, verdicts};
+    use crate::verify::statements::{self, Statement};
     use proptest::prelude::*;
     use stickslip::{Border, Float, Output, Ratios, Response};
 

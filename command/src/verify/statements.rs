@@ -3,21 +3,10 @@
 //! Each statement is a left side less a right side. Statements of the paper have no damper and apply at
 //! ζ = 0; the others apply at every ζ.
 
-use super::StatementVerdict;
 use super::case::Case;
-use serde::Serialize;
+use super::verdict::{Standing, StatementVerdict};
 use stickslip::cycle::{equations as eq, printed};
 use stickslip::{Output, Real};
-
-/// Whether an equation of the paper holds.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub(super) enum Standing {
-    /// The equation holds at every point.
-    Holds,
-    /// As printed, the equation does not hold where `docs/errata.md` says so, and the check must show this.
-    Refuted,
-}
 
 /// One statement, with its residual in units of B unless stated otherwise.
 pub(super) struct Statement<C, R> {

@@ -93,7 +93,13 @@ fn messages_name_the_argument_and_its_limits() {
         "steady --omega 0.5 --alpha 3 --max-periods 99999999999999999999",
         &["must be a smaller whole number"],
     );
-    refused("motion-plot --omega 0.5 --alpha 0.5", &["Stuck: the body never moves."]);
+    // A body that stays at rest is drawn, and one that comes to rest with its way there.
+    for line in ["--omega 0.5 --alpha 0.5", "--omega 0.5 --alpha 0.5 --x0 9"] {
+        let svg = stdout(&format!("motion-plot {line}"));
+        assert!(svg.contains("Motion to its rest") && svg.contains("at rest"), "{line}");
+        assert_eq!(svg.contains("sliding"), line.contains("x0"), "{line}");
+    }
+    refused("motion-plot --omega 1 --alpha 3", &["motion-plot: there is no periodic motion to draw."]);
     refused("map foo", &["limits", "an output of response"]);
     let plot = "motion-plot --omega 0.15 --alpha 3";
     refused(&format!("{plot} {out} --size 50x50"), &["--size 50x50: must be from 497x466", "to 10000x10000"]);

@@ -90,7 +90,7 @@ fn a_time_history_is_what_csv_has() {
     let folder = tempfile::tempdir().unwrap();
     for (n, run) in [
         "simulate --omega 0.4 --alpha 6 --cycles 3",
-        "simulate --mass 50 --stiffness 1000 --friction 5 --frequency 2Hz --force 12 --units N,m --rate 1kHz --duration 200s",
+        "simulate --mass 50 --stiffness 1000 --friction 5 --frequency 2Hz --force 12 --units N,m --rate 1kHz --duration 132s",
     ]
     .into_iter()
     .enumerate()
@@ -208,7 +208,7 @@ fn broken_off(sweep: &str, signal: &str, after: std::time::Duration) -> Option<i
 #[cfg(unix)]
 #[test]
 fn a_sweep_that_is_broken_off_goes_on_where_it_was() {
-    let sweep = "sweep steady --omega 0.05:1.3:100 --alpha 0.9:8:220";
+    let sweep = "sweep steady --omega 0.05:1.3:100 --alpha 0.9:8:110";
     let whole = place("all.parquet");
     let begin = std::time::Instant::now();
     stdout(&format!("{sweep} --out {}", whole.display()));
@@ -312,7 +312,7 @@ fn what_is_beside_the_file_is_left_alone() {
 #[test]
 fn a_full_disk_leaves_parts_that_can_be_gone_on_with() {
     let command = assert_cmd::cargo::cargo_bin!("stickslip").display().to_string();
-    let sweep = "sweep response --omega 0.3:3:500 --alpha 1.1:9:300";
+    let sweep = "sweep response --omega 0.3:3:500 --alpha 1.1:9:300 --outputs omega,max_displacement";
     let file = place("full.parquet");
     let line = format!("trap '' XFSZ; ulimit -f 100; exec '{command}' {sweep} --out {}", file.display());
     for more in ["", "--resume"] {

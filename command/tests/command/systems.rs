@@ -1,6 +1,7 @@
 //! `stickslip system` from the user's side: cases of other projects, a file of named bodies, and what is wrong with files.
 
 mod drives;
+mod joints;
 mod pictures;
 
 use crate::command_line::{json, refused, stdout, stickslip};
@@ -383,6 +384,19 @@ fn a_grid_has_a_row_for_each_place() {
     let one = json(&format!("system {} steady --format json --set bearing.friction=600N", file.display()));
     assert_eq!(rows[5][..2], ["600.0", "3.0"]);
     assert_eq!(rows[5][place].parse::<f64>().unwrap(), numbers(&one["max_displacement"])[1]);
+    // A column has the unit of its quantity, however the values were typed.
+    for typed in ["400:600:2", "400,600", "400N,0.6kN", "400,600N", "0.4kN,600 N"] {
+        let command = format!("system {} border --set", file.display());
+        let path = format!("bearing.friction={typed}");
+        let mut arguments: Vec<&str> = command.split(' ').collect();
+        arguments.push(&path);
+        let answer = String::from_utf8(stickslip("").args(arguments).output().unwrap().stdout).unwrap();
+        let rows: Vec<Vec<&str>> = answer.lines().map(|line| line.split(',').collect()).collect();
+        let unit = if typed.starts_with("0.4k") { "kN" } else { "N" };
+        assert_eq!(rows[0][0], format!("bearing.friction[{unit}]"), "{typed}");
+        let due = if unit == "N" { ["400.0", "600.0"] } else { ["0.4", "0.6"] };
+        assert_eq!([rows[1][0], rows[2][0]], due, "{typed}");
+    }
     // A list in another order, as JSON lines, one row of which is wrong.
     let line =
         format!("system {} border --set bearing.friction=-1N,600N,400N --format jsonl", file.display());
@@ -509,7 +523,7 @@ fn each_mistake_is_one_line_with_its_place() {
             vec!["springs[1].stifness is unknown", "stiffness?"],
         ),
         ("\"500 kg\"", "\"500 N\"", vec!["masses.roof.mass 500 N", "must be a mass", "unit of force"]),
-        ("block = \"1 t\"", "block = \"-1 t\"", vec!["masses.block -1 t: must be > 0"]),
+        ("block = \"1 t\"", "block = \"-1 t\"", vec!["masses.block -1 t: must be ≥ 0"]),
         (
             "[\"block\", \"roof\"]",
             "[\"block\", \"rof\"]",

@@ -34,11 +34,24 @@ fn blocks(page: &str) -> Vec<(String, String)> {
     found
 }
 
+/// Whether a command goes on in the next line: after a backslash, within quotes, or within a file up to its `END`.
+fn goes_on(command: &str) -> bool {
+    match command.split_once("<<'END'\n") {
+        Some((_, file)) => file.lines().next_back() != Some("END"),
+        None => {
+            command.ends_with("<<'END'") || command.ends_with('\\') || command.matches('\'').count() % 2 == 1
+        }
+    }
+}
+
 /// The commands of a console block, each with the output shown below it.
 fn commands(block: &str) -> Vec<(String, String)> {
     let mut found: Vec<(String, String)> = Vec::new();
     for line in block.lines() {
-        if let Some(command) = line.strip_prefix("$ ") {
+        if let Some((command, _)) = found.last_mut().filter(|(command, _)| goes_on(command)) {
+            command.push('\n');
+            command.push_str(line);
+        } else if let Some(command) = line.strip_prefix("$ ") {
             found.push((command.to_owned(), String::new()));
         } else {
             let (_, output) = found.last_mut().expect("a console block begins with a command");
@@ -47,6 +60,55 @@ fn commands(block: &str) -> Vec<(String, String)> {
         }
     }
     found
+}
+
+/// README begins with two commands next to each other: one answers a question, the other runs the tests.
+#[test]
+fn the_readme_begins_with_two_commands() {
+    let text = include_str!("../../../README.md");
+    let (kind, block) = &blocks(text)[0];
+    let [(first, _), (second, _)] = &commands(block)[..] else { panic!("{block}") };
+    assert_eq!(kind, "console");
+    assert!(first.starts_with("cargo run -p stickslip-cli -- response "), "{first}");
+    assert_eq!(second, ".ci/test");
+}
+
+/// A command fits a page of 120 letters, and a file is shown as it is written.
+#[test]
+fn commands_can_be_read() {
+    for (page, text) in crate::book_pages::all() {
+        for (_, block) in blocks(&text).into_iter().filter(|(kind, _)| kind == "console") {
+            for (command, _) in commands(&block) {
+                let longest = format!("$ {command}").lines().map(|line| line.chars().count()).max();
+                assert!(longest <= Some(120), "{page}: {longest:?} letters: {command}");
+                assert!(!command.starts_with("printf '") || !command.contains(" > "), "{page}: {command}");
+                assert!(!goes_on(&command), "{page}: {command}");
+            }
+        }
+    }
+}
+
+/// The page of questions has its commands in tables, and the files that they read in its one block.
+#[test]
+fn every_question_has_an_answer() {
+    let folder = place("questions-of-all");
+    std::fs::create_dir(&folder).unwrap();
+    let text = include_str!("../../../docs/questions.md");
+    for (command, _) in blocks(text).iter().flat_map(|(_, block)| commands(block)) {
+        assert!(run(&command, &folder).0, "{command}");
+    }
+    let rows = text.lines().filter(|line| line.starts_with("| ") && !line.starts_with("| question"));
+    let (mut run_here, mut all) = (0, 0);
+    for row in rows {
+        all += 1;
+        // Every second piece between backticks is code.
+        for command in row.split('`').skip(1).step_by(2).filter(|code| code.starts_with("stickslip ")) {
+            let (success, printed) = run(command, &folder);
+            assert!(success && !printed.is_empty(), "{command}\n{printed}");
+            run_here += 1;
+        }
+    }
+    assert!(all > 70 && run_here > 50, "{all} questions, {run_here} commands");
 }
 
 fn is_not_run(command: &str) -> bool {
@@ -173,6 +235,8 @@ fn every_snippet_of_another_language_runs() {
                 tried += 1;
             }
             if kind == "matlab" {
+                // A text in parts is one text.
+                let block = block.replace("\" + ...\n    \"", "");
                 let quoted = |text: &str, before: &str| -> Vec<String> {
                     let parts = text.split(before).skip(1).filter_map(|rest| rest.split('"').next());
                     parts.map(str::to_owned).collect()

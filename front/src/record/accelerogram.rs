@@ -9,8 +9,8 @@ use super::lines::Line;
 use super::sheet::{Found, Sheet, Stated, Times};
 use super::unit::Ratio;
 use super::{Head, Unit, text};
+use crate::inputs::units::{Kind, split};
 use stickslip::Excitation;
-use stickslip::inputs::units::{Kind, split};
 
 /// The most lines of text of a header.
 const MOST: usize = 40;

@@ -3,8 +3,8 @@
 use super::sheet::{Found, Sheet, Stated, Times};
 use super::unit::Ratio;
 use super::{Head, text};
+use crate::inputs::units::Kind;
 use stickslip::Excitation;
-use stickslip::inputs::units::Kind;
 
 pub(super) fn is(head: &Head) -> bool {
     is_first(&head.first())

@@ -4,7 +4,7 @@
 use super::lines::Line;
 use super::sheet::{Found, Sheet, Stated, Times};
 use super::{Head, text};
-use stickslip::inputs::units::Kind;
+use crate::inputs::units::Kind;
 
 /// The width of a field.
 const WIDTH: Option<usize> = Some(8);

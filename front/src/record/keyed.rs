@@ -4,7 +4,7 @@ use super::sheet::{Found, Sheet, Stated, Times};
 use super::table::{self, Known};
 use super::unit::Ratio;
 use super::{Options, text};
-use stickslip::inputs::units::{Kind, split};
+use crate::inputs::units::{Kind, split};
 
 /// The value of a key in a header, with its line.
 type Value = Option<(u64, String)>;

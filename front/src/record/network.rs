@@ -3,7 +3,7 @@
 
 use super::sheet::{Found, Sheet, Stated, Times};
 use super::{Head, text};
-use stickslip::inputs::units::{Kind, split};
+use crate::inputs::units::{Kind, split};
 
 pub(super) fn is_unam(head: &Head) -> bool {
     head.has("ARCHIVO ESTANDAR DE ACELERACION") || head.has("DATOS DE ACELERACION")

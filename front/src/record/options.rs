@@ -3,9 +3,9 @@
 use super::text;
 use super::unit::Ratio;
 use super::unit::{Unit, volts};
+use crate::inputs::units::{Kind, Reader, split};
 use std::str::FromStr;
 use stickslip::Float;
-use stickslip::inputs::units::{Kind, Reader, split};
 
 /// The names that a front has for the options of the reader, for its messages.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -4,7 +4,7 @@ use super::lines::Line;
 use super::sheet::{Found, Sheet, Times};
 use super::text;
 use super::unit::Ratio;
-use stickslip::inputs::units::{Kind, split};
+use crate::inputs::units::{Kind, split};
 
 /// The lines among which the one with the number of samples is.
 const LINES: usize = 12;

@@ -3,7 +3,7 @@
 
 use super::sheet::{Found, Sheet, Times};
 use super::{Head, text};
-use stickslip::inputs::units::Kind;
+use crate::inputs::units::Kind;
 
 /// The lines above the one with the number of samples: FLAC has a title.
 const TITLES: usize = 2;

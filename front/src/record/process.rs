@@ -1,11 +1,11 @@
 //! What is done with a record before it is used: its mean is taken off, it is cut, and it gets another step. Each is told.
 
 use super::{Options, Unit};
+use crate::words::digits;
 use std::ops::Range;
 use std::str::FromStr;
 use stickslip::Float;
 use stickslip::motion::record::Record;
-use stickslip::words::digits;
 
 /// The mean over time of the straight lines between the samples. One that the rounding of times and samples may have made
 /// is 0.

@@ -3,8 +3,8 @@
 use super::sheet::{Found, Sink, Stated, Times};
 use super::unit::Ratio;
 use super::{Options, Reading, Summary, Unit, process, text};
+use crate::inputs::units::{Factor, Kind, Reader};
 use std::str::FromStr;
-use stickslip::inputs::units::{Factor, Kind, Reader};
 use stickslip::motion::record::Record;
 use stickslip::{Error, Excitation, Float};
 
@@ -200,7 +200,7 @@ fn told<F: Float + FromStr>(
     let last = 10f64.powi(exponent.unwrap_or(0).saturating_sub(digits.try_into().ok()?));
     let off = (peak - due).abs();
     (off > last && off > 1e-3 * due).then(|| {
-        let own = stickslip::words::digits(peak);
+        let own = crate::words::digits(peak);
         let of_mean = if stated.of_mean { " from the mean" } else { "" };
         format!(
             "Line {} of {} states the peak {}, but the samples have {own}{of_mean} in that unit.",

@@ -4,8 +4,8 @@
 use super::lines::Lines;
 use super::unit::Ratio;
 use super::{Options, Unit, text};
+use crate::inputs::units::{Factor, Kind};
 use stickslip::Excitation;
-use stickslip::inputs::units::{Factor, Kind};
 
 /// Where the samples and the times of a file go, in the number type of the answer.
 pub(super) trait Sink {

@@ -4,8 +4,8 @@
 
 use super::sheet::{Found, Sheet, Stated, Times};
 use super::{Head, text};
+use crate::inputs::units::Kind;
 use stickslip::Excitation;
-use stickslip::inputs::units::Kind;
 
 /// The lines of text, of integers and of real numbers.
 const TEXT: usize = 11;

@@ -5,34 +5,23 @@ pub(super) mod cells;
 pub(super) mod clock;
 mod columns;
 mod header;
+mod known;
 
 use super::lines::Line;
 use super::sheet::{Found, Sheet, Times};
 use super::unit::Ratio;
 use super::{Unit, text};
+use crate::inputs::units::{Kind, Reader};
 use cells::{Delimiter, Row, comment, decimal, is_number, width};
 use columns::{Columns, named, unnamed};
 use header::{Name, header};
-use stickslip::inputs::units::{Kind, Reader};
+pub(super) use known::Known;
 
 /// The most lines without numbers before the columns.
 const MOST_TITLES: usize = 200;
 
 /// The most bytes of such a line.
 const LONGEST_TITLE: usize = 1 << 16;
-
-/// What another layout knows of its columns.
-pub(super) struct Known {
-    pub(super) kind: &'static str,
-    pub(super) names: Vec<String>,
-    pub(super) unit: Option<Unit>,
-}
-
-impl Default for Known {
-    fn default() -> Self {
-        Self { kind: "columns", names: Vec::new(), unit: None }
-    }
-}
 
 /// The lines before the rows.
 #[derive(Default)]

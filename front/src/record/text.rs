@@ -1,8 +1,8 @@
 //! Numbers, words and units in the text of a file.
 
+use crate::inputs::units::Reader;
 use std::str::FromStr;
 use stickslip::Float;
-use stickslip::inputs::units::Reader;
 
 /// A finite number, as Fortran writes it, too: `.5`, `5.`, `+1.0`, `-.12D-02`.
 pub(super) fn number<F: Float + FromStr>(text: &str) -> Option<F> {

@@ -1,8 +1,8 @@
 //! The unit of samples.
 
 use super::text;
+use crate::inputs::units::{Factor, Kind, Reader};
 use std::str::FromStr;
-use stickslip::inputs::units::{Factor, Kind, Reader};
 use stickslip::{Excitation, Float};
 
 /// A quotient of two numbers as they are written in a file: 1/200 of “200 samples a second”, 1/10 of “g/10”.

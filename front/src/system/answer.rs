@@ -1,8 +1,8 @@
 //! The answers about a system, as JSON has them.
 
 use super::described::Described;
+use crate::inputs::units::{Kind as Of, System};
 use serde::Serialize;
-use stickslip::inputs::units::{Kind as Of, System};
 use stickslip::system::{Border, Cycle, Element, Kind, Motion, State, Steady};
 
 /// Displacements and velocities.
@@ -25,6 +25,9 @@ struct OfElement<'a> {
     kind: &'static str,
     time_at_rest: f64,
     stops: usize,
+    /// Of a stop with a restitution.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    blows: Option<usize>,
     work: f64,
 }
 
@@ -35,6 +38,11 @@ struct OfEvent<'a> {
     element: usize,
     name: &'a str,
     kind: &'static str,
+    /// The velocities along the stop before and after a blow.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    velocity_before: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    velocity_after: Option<f64>,
 }
 
 /// A motion, or a period of a steady one.
@@ -123,8 +131,14 @@ pub const fn kind_of(element: &Element<f64>) -> &'static str {
     match element.kind {
         Kind::Contact { .. } => "contact",
         Kind::Elastic { .. } => "elastic",
-        Kind::Stop { .. } => "stop",
+        Kind::Stop { .. } | Kind::HardStop { .. } => "stop",
     }
+}
+
+/// Whether an element is a stop with a restitution.
+#[must_use]
+pub const fn is_hard(element: &Element<f64>) -> bool {
+    matches!(element.kind, Kind::HardStop { .. })
 }
 
 impl<'a> Answer<'a> {
@@ -150,6 +164,7 @@ impl<'a> Answer<'a> {
                     kind: kind_of(element),
                     time_at_rest: found.time_at_rest,
                     stops: found.stops,
+                    blows: is_hard(element).then_some(found.blows),
                     work: found.work,
                 })
                 .collect(),
@@ -161,6 +176,8 @@ impl<'a> Answer<'a> {
                     element: event.element,
                     name: described.name_of(event.element),
                     kind: event.kind.name(),
+                    velocity_before: event.velocities.map(|pair| pair.0),
+                    velocity_after: event.velocities.map(|pair| pair.1),
                 })
                 .collect(),
             load_work: motion.load_work,

@@ -6,6 +6,8 @@ use stickslip::system::{Base, Model};
 /// The bodies, and the system as far as it is read.
 pub(super) struct Builder<'p> {
     pub(super) names: Vec<String>,
+    /// The names of springs and forces so far.
+    pub(super) taken: Vec<String>,
     pub(super) model: Model<f64>,
     pub(super) folder: &'p Path,
     pub(super) base: Option<Base<f64>>,

@@ -3,17 +3,19 @@
 use super::described::{Described, base_of, shake};
 use super::node::nearest;
 use super::{file, named};
+use crate::inputs::units::{Kind, Reader, System as Units};
 use serde_json::Value;
 use std::f64::consts::TAU;
 use std::path::Path;
 use stickslip::Excitation;
-use stickslip::inputs::units::{Kind, Reader, System as Units};
 use stickslip::motion::record::{After, Record};
 use stickslip::system::{Beyond, Error, Level, Model, Record as Samples, System};
 
 /// The longest motion, in steps: a step is a radian of the fastest vibration, or the time of the fastest damper. A large system
 /// has [`System::most_steps`].
 const MOST_STEPS: u64 = 1_000_000;
+/// The steps in which a value must be passed: a few seconds of work with all of its events.
+const STEPS_TO_PASSAGE: u64 = 100_000;
 
 /// A described system with its motions.
 #[derive(Debug, Clone)]
@@ -156,13 +158,14 @@ impl NamedSystem {
         let mut described = self.described.clone();
         described.model.levels.push(Level { name: name.to_owned(), displacement, velocity, value });
         *self = Self::of(described)?;
-        let steps = self.system.most_steps().min(MOST_STEPS) as f64;
+        let steps = self.system.most_steps().min(STEPS_TO_PASSAGE) as f64;
         let rate = self.system.steps_per_time();
         let latest = if rate > 0.0 { steps / rate } else { steps * self.end_of_records().max(1.0) };
         let found = self.system.first_passage(&self.described.start, level, latest);
         found.map_err(|e| e.to_string())?.ok_or_else(|| {
             let unit = if self.described.units.is_some() { " s" } else { "" };
-            format!("{typed}: is not passed within {}{unit}", stickslip::words::digits(latest))
+            let latest = crate::words::digits(latest);
+            format!("{typed}: must be passed within {latest}{unit}, {steps} steps of the fastest motion, but is not")
         })
     }
 
@@ -180,7 +183,7 @@ impl NamedSystem {
             return Ok(());
         }
         let unit = if self.described.units.is_some() { " s" } else { "" };
-        let most = stickslip::words::digits(most);
+        let most = crate::words::digits(most);
         let steps = if steps == MOST_STEPS { "10⁶".to_owned() } else { steps.to_string() };
         Err(format!("{typed}: must be ≤ {most}{unit}, {steps} steps of the fastest motion"))
     }

@@ -1,7 +1,7 @@
 //! A system as its file describes it, and the parts that bodies by name and matrices share.
 
 use super::node::{Fields, Node};
-use stickslip::inputs::units::System as Units;
+use crate::inputs::units::System as Units;
 use stickslip::system::{Base, Law, Model, Signal, State};
 
 /// The greatest number of coordinates: the matrices are dense.
@@ -80,6 +80,31 @@ pub(super) fn peak(fields: &Fields<'_>) -> Result<f64, String> {
         (Some(node), None) | (None, Some(node)) => node.at_least(node.number()?, 1.0),
         (None, None) => Ok(1.0),
     }
+}
+
+/// The restitution of a stop that gives no way, from 0 to 1; none for an elastic stop. `elastic` are the fields of that one, and `others`
+/// those of both, which are read elsewhere.
+pub(super) fn restitution(
+    fields: &Fields<'_>,
+    elastic: &[&'static str],
+    others: &[&'static str],
+) -> Result<Option<f64>, String> {
+    let Some(node) = fields.get("restitution") else {
+        if fields.get("stiffness").is_none() {
+            // A misspelt name says more than a missing one.
+            fields.end_with(&[elastic, others].concat())?;
+            return Err(fields.node.wrong("needs one of stiffness and restitution"));
+        }
+        return Ok(None);
+    };
+    if let Some(node) = elastic.iter().find_map(|name| fields.get(name)) {
+        return Err(node.wrong("must be left out of a stop with a restitution, which gives no way"));
+    }
+    let value = node.at_least(node.number()?, 0.0)?;
+    if value > 1.0 {
+        return Err(node.wrong("must be ≤ 1"));
+    }
+    Ok(Some(value))
 }
 
 /// A law from pairs of a speed and a force.

@@ -1,15 +1,15 @@
 //! The file of a system: bodies by name with their springs, contacts and loads, or matrices.
 
 use super::described::{
-    Described, MOST_COORDINATES, MOST_ELEMENTS, MOST_FREQUENCIES, MOST_SAMPLES, law, peak,
+    Described, MOST_COORDINATES, MOST_ELEMENTS, MOST_FREQUENCIES, MOST_SAMPLES, law, peak, restitution,
 };
 use super::named;
 use super::node::{Fields, Node, nearest};
 use super::unique::Unique;
+use crate::inputs::units::{Kind as Of, Reader, System as Units};
 use crate::text::of_bytes;
 use serde_json::Value;
 use std::path::Path;
-use stickslip::inputs::units::{Kind as Of, Reader, System as Units};
 use stickslip::system::{Beyond, Element, Harmonic, Kind, Law, Model, Normal, Record, Signal, State};
 
 /// The greatest length of a file in bytes: three matrices of the most coordinates in full digits are 3 MB.
@@ -246,8 +246,14 @@ fn element(node: &Node<'_>, i: usize, n: usize) -> Result<Element<f64>, String> 
                 return Err(fields.required("side")?.wrong("must be 1 or -1"));
             }
             direction.iter_mut().for_each(|b| *b *= side);
-            let damping = fields.get("damping").map_or(Ok(0.0), |node| node.number())?;
-            Kind::Stop { gap: number("gap")?, stiffness: number("stiffness")?, damping }
+            let gap = number("gap")?;
+            match restitution(&fields, &["stiffness", "damping"], &["name", "belt"])? {
+                Some(restitution) => Kind::HardStop { gap, restitution },
+                None => {
+                    let damping = fields.get("damping").map_or(Ok(0.0), |node| node.number())?;
+                    Kind::Stop { gap, stiffness: number("stiffness")?, damping }
+                }
+            }
         }
         other => {
             let kinds = ["contact", "elastic", "stop"];

@@ -1,14 +1,15 @@
 //! Answers over a grid of values of the file, of its loads' frequency and of records, a row each.
 
+use super::answer::is_hard;
 use super::built::NamedSystem;
 use super::described::Described;
 use crate::grid::Range;
+use crate::inputs::units::{Kind as Of, Reader, System as Units, split};
 use serde_json::Value;
 use std::ops::ControlFlow;
 use std::path::Path;
-use stickslip::inputs::units::{Kind as Of, System as Units, split};
 use stickslip::motion::record::Record;
-use stickslip::system::{Motion, Steady};
+use stickslip::system::{Element, Motion, Steady};
 
 /// The rows of which one must be right.
 const TRIED: u64 = 1000;
@@ -31,6 +32,8 @@ pub enum Cell<'a> {
 enum Values {
     /// Numbers in one unit, empty where they have none.
     Numbers(Vec<f64>, String),
+    /// Numbers that were typed in several units of one kind: in the first of them, and as they were typed.
+    Mixed(Vec<f64>, String, Vec<String>),
     /// Texts such as the names of files.
     Texts(Vec<String>),
 }
@@ -43,9 +46,17 @@ pub struct Axis {
     /// The words before a value in messages: the path, or the name of the option.
     typed: String,
     values: Values,
+    /// Whether it changes together with the axis before it.
+    is_beside: bool,
 }
 
 impl Axis {
+    /// This axis, whose values change together with those of the axis before it, which has as many.
+    #[must_use]
+    pub fn beside(self) -> Self {
+        Self { is_beside: true, ..self }
+    }
+
     /// The value at a path of the file, over `FROM:TO:COUNT`, `FROM:TO:COUNT:log`, both ends with one unit, a list
     /// `A,B,C`, or one value.
     ///
@@ -53,7 +64,7 @@ impl Axis {
     /// Names the text and the condition.
     pub fn of(path: &str, text: &str) -> Result<Self, String> {
         let typed = format!("{path}=");
-        Ok(Self { path: Some(path.to_owned()), values: values(&typed, text)?, typed })
+        Ok(Self { path: Some(path.to_owned()), values: values(&typed, text)?, typed, is_beside: false })
     }
 
     /// Values at a path of the file, or of the lowest frequency of the loads for `None`, as they would be typed; bare
@@ -62,13 +73,13 @@ impl Axis {
     pub fn of_each(path: Option<&str>, typed: &[String]) -> Self {
         let values = listed(typed.iter().map(String::as_str));
         let typed = path.map_or_else(|| "frequency ".to_owned(), |path| format!("{path}="));
-        Self { path: path.map(str::to_owned), typed, values }
+        Self { path: path.map(str::to_owned), typed, values, is_beside: false }
     }
 
     /// The number of values.
     fn len(&self) -> usize {
         match &self.values {
-            Values::Numbers(numbers, _) => numbers.len(),
+            Values::Numbers(numbers, _) | Values::Mixed(numbers, ..) => numbers.len(),
             Values::Texts(texts) => texts.len(),
         }
     }
@@ -79,25 +90,28 @@ impl Axis {
             Values::Numbers(numbers, unit) => {
                 numbers.get(place).map_or_else(String::new, |x| format!("{x}{unit}"))
             }
-            Values::Texts(texts) => texts.get(place).cloned().unwrap_or_default(),
+            Values::Mixed(.., texts) | Values::Texts(texts) => texts.get(place).cloned().unwrap_or_default(),
         }
     }
 
     fn cell(&self, place: usize) -> Cell<'_> {
         match &self.values {
-            Values::Numbers(numbers, _) => Cell::Number(numbers.get(place).copied()),
+            Values::Numbers(numbers, _) | Values::Mixed(numbers, ..) => {
+                Cell::Number(numbers.get(place).copied())
+            }
             Values::Texts(texts) => Cell::Text(texts.get(place).map_or("", String::as_str)),
         }
     }
 
-    /// The name of the column, with the unit of its values in brackets. A bare frequency of a system with units is in rad/s.
-    fn name(&self, has_units: bool) -> String {
+    /// The name of the column, with the unit of its values in brackets, where bare numbers have the given one.
+    fn name(&self, bare: &str) -> String {
         let name = self.path.as_deref().unwrap_or("frequency");
-        let is_frequency = name.rsplit('.').next() == Some("frequency");
         match &self.values {
-            Values::Numbers(_, unit) if !unit.is_empty() => format!("{name}[{unit}]"),
-            Values::Numbers(..) if is_frequency && has_units => format!("{name}[rad/s]"),
-            Values::Numbers(..) | Values::Texts(_) => name.to_owned(),
+            Values::Numbers(_, unit) | Values::Mixed(_, unit, _) if !unit.is_empty() => {
+                format!("{name}[{unit}]")
+            }
+            Values::Numbers(..) if !bare.is_empty() => format!("{name}[{bare}]"),
+            Values::Numbers(..) | Values::Mixed(..) | Values::Texts(_) => name.to_owned(),
         }
     }
 
@@ -107,7 +121,7 @@ impl Axis {
     /// Names the text and the condition.
     pub fn of_frequency(name: &str, text: &str) -> Result<Self, String> {
         let typed = format!("{name} ");
-        Ok(Self { path: None, values: values(&typed, text)?, typed })
+        Ok(Self { path: None, values: values(&typed, text)?, typed, is_beside: false })
     }
 }
 
@@ -119,9 +133,46 @@ fn listed<'t>(texts: impl Iterator<Item = &'t str> + Clone) -> Values {
         let x = number.trim().parse::<f64>().ok().filter(|x| x.is_finite());
         x.filter(|_| own == unit)
     };
-    match parts.map(number).collect::<Option<Vec<f64>>>() {
-        Some(numbers) => Values::Numbers(numbers, unit.to_owned()),
-        None => Values::Texts(texts.map(|text| text.trim().to_owned()).collect()),
+    if let Some(numbers) = parts.map(number).collect::<Option<Vec<f64>>>() {
+        return Values::Numbers(numbers, unit.to_owned());
+    }
+    let typed: Vec<String> = texts.map(|text| text.trim().to_owned()).collect();
+    in_unit(typed, None)
+}
+
+/// Kinds of values, one of each dimension.
+const KINDS: [Of; 12] = [
+    Of::Mass,
+    Of::Length,
+    Of::Time,
+    Of::Angle,
+    Of::Frequency,
+    Of::Velocity,
+    Of::Acceleration,
+    Of::Force,
+    Of::Stiffness,
+    Of::Damping,
+    Of::Energy,
+    Of::Ratio,
+];
+
+/// Values of one kind as numbers in the unit of the first that has one, where bare ones are in a system of units; otherwise as texts.
+fn in_unit(typed: Vec<String>, system: Option<&Units>) -> Values {
+    let reader = Reader::new(system, "");
+    let read = |text: &str, kind: Of| {
+        let is_known = system.is_some() || Reader::has_unit(text);
+        let value = is_known.then(|| reader.value("", text, kind).ok()).flatten();
+        value.filter(|x: &f64| x.is_finite())
+    };
+    let unit = typed.iter().find(|text| Reader::has_unit(text)).map_or("", |text| split(text).1);
+    let numbers = |kind: Of| -> Option<Vec<f64>> {
+        let one = read(&format!("1 {unit}"), kind)?;
+        typed.iter().map(|text| Some(read(text, kind)? / one)).collect()
+    };
+    let found = if unit.is_empty() { None } else { KINDS.into_iter().find_map(numbers) };
+    match found {
+        Some(numbers) => Values::Mixed(numbers, unit.to_owned(), typed),
+        None => Values::Texts(typed),
     }
 }
 
@@ -183,16 +234,31 @@ impl<'a> Grid<'a> {
         records: &'a [(String, Record<f64>)],
         asked: Asked,
     ) -> Result<Self, String> {
-        let lengths = axes.iter().map(|axis| axis.len() as u64).chain([records.len().max(1) as u64]);
+        for pair in axes.windows(2) {
+            if let [before, axis] = pair
+                && axis.is_beside
+                && axis.len() != before.len()
+            {
+                let (name, other, n, due) = (axis.name(""), before.name(""), axis.len(), before.len());
+                return Err(format!("{name}: has {n} values, must have as many as {other}, which has {due}"));
+            }
+        }
+        let lengths = axes.iter().filter(|axis| !axis.is_beside).map(|axis| axis.len() as u64);
+        let lengths = lengths.chain([records.len().max(1) as u64]);
         let count = lengths.into_iter().try_fold(1u64, u64::checked_mul).filter(|n| *n <= MOST_ROWS);
         let count = count.ok_or_else(|| format!("the grid must have ≤ {MOST_ROWS} rows"))?;
         let (names, blank) = (Vec::new(), Vec::new());
         let keep_going = || ControlFlow::Continue(());
         let mut grid = Self { value, folder, units, axes, records, asked, names, blank, count, keep_going };
         let described = grid.described()?;
+        for axis in &mut grid.axes {
+            if let (Values::Texts(typed), Some(system)) = (&mut axis.values, &described.units) {
+                axis.values = in_unit(core::mem::take(typed), Some(system));
+            }
+        }
         let answers = columns(&described, asked);
         let mut names: Vec<String> = grid.records.first().map(|_| "record".to_owned()).into_iter().collect();
-        names.extend(grid.axes.iter().map(|axis| axis.name(described.units.is_some())));
+        names.extend(grid.axes.iter().map(|axis| axis.name(&grid.unit_of_bare(axis, &described))));
         for (name, cell) in answers {
             names.push(name);
             grid.blank.push(cell);
@@ -225,6 +291,38 @@ impl<'a> Grid<'a> {
         &self.names
     }
 
+    /// The number of values of each record and each axis: records first, if there are any.
+    #[must_use]
+    pub fn lengths(&self) -> Vec<usize> {
+        let records = self.records.first().map(|_| self.records.len());
+        records.into_iter().chain(self.axes.iter().map(Axis::len)).collect()
+    }
+
+    /// The unit of bare numbers on an axis of a system with units: the one in which they mean the same. A bare frequency is in rad/s.
+    fn unit_of_bare(&self, axis: &Axis, described: &Described) -> String {
+        let Some(units) = described.units else { return String::new() };
+        let last = axis.path.as_deref().map_or("frequency", |path| path.rsplit('.').next().unwrap_or(""));
+        if last == "frequency" {
+            return "rad/s".to_owned();
+        }
+        let (Some(path), Values::Numbers(numbers, unit)) = (axis.path.as_deref(), &axis.values) else {
+            return String::new();
+        };
+        if !unit.is_empty() {
+            return String::new();
+        }
+        let with = |text: &str| {
+            let found = NamedSystem::new(self.value, [(path, text)], self.folder, self.units).ok()?;
+            Some((found.described.model, found.described.start))
+        };
+        // A number that is 0, or that the system does not take, says nothing.
+        let tried = numbers.iter().filter(|x| **x != 0.0).find_map(|x| Some((x, with(&x.to_string())?)));
+        let Some((x, due)) = tried else { return String::new() };
+        let names = KINDS.into_iter().filter(|kind| *kind != Of::Ratio).map(|kind| units.name(kind));
+        let same = |unit: &String| with(&format!("{x} {unit}")).is_some_and(|found| found == due);
+        names.into_iter().find(same).unwrap_or_default()
+    }
+
     fn place(&self, row: u64) -> Place<'a> {
         let mut left = row;
         let mut next = |length: usize| {
@@ -233,15 +331,22 @@ impl<'a> Grid<'a> {
             left = left.checked_div(length).unwrap_or(0);
             place as usize
         };
-        let mut places: Vec<usize> = self.axes.iter().rev().map(|axis| next(axis.len())).collect();
-        places.reverse();
+        let of = |axis: &Axis| if axis.is_beside { None } else { Some(next(axis.len())) };
+        let mut own: Vec<Option<usize>> = self.axes.iter().rev().map(of).collect();
+        own.reverse();
+        let mut last = 0;
+        let beside = |place: Option<usize>| {
+            last = place.unwrap_or(last);
+            last
+        };
+        let places = own.into_iter().map(beside).collect();
         (places, self.records.get(next(self.records.len())))
     }
 
     /// The system of a row, with another value on the last axis, if there is one.
     fn system(&self, (places, record): &Place<'a>, other: Option<f64>) -> Result<NamedSystem, String> {
         let mut typed: Vec<String> = self.axes.iter().zip(places).map(|(axis, at)| axis.typed(*at)).collect();
-        if let (Some(x), Some(typed), Some(Values::Numbers(_, unit))) =
+        if let (Some(x), Some(typed), Some(Values::Numbers(_, unit) | Values::Mixed(_, unit, _))) =
             (other, typed.last_mut(), self.axes.last().map(|axis| &axis.values))
         {
             *typed = format!("{x}{unit}");
@@ -316,7 +421,7 @@ impl<'a> Grid<'a> {
                 let found = system.steady(&described.start).map_err(because)?;
                 let periods = Cell::Count(Some(found.periods as u64));
                 let mut cells = vec![Cell::Text(found.kind.name()), periods];
-                cells.extend(of_motion(&found.motion, Some(&found)));
+                cells.extend(of_motion(&described.model.elements, &found.motion, Some(&found)));
                 cells
             }
             Asked::Transient(until) => {
@@ -324,7 +429,7 @@ impl<'a> Grid<'a> {
                 of.check_until(until, &format!("until {until}"))?;
                 let found = system.simulate(&described.start, until).map_err(because)?;
                 let mut cells = vec![number(found.duration)];
-                cells.extend(of_motion(&found, None));
+                cells.extend(of_motion(&described.model.elements, &found, None));
                 cells
             }
         })
@@ -366,6 +471,9 @@ fn columns(described: &Described, asked: Asked) -> Vec<(String, Cell<'static>)> 
         let name = &element.name;
         columns.push(number(format!("{name}.rest_fraction")));
         columns.push((format!("{name}.stops"), Cell::Count(None)));
+        if is_hard(element) {
+            columns.push((format!("{name}.blows"), Cell::Count(None)));
+        }
         columns.push(number(format!("{name}.work{}", unit(Of::Energy))));
     }
     if asked == Asked::Steady {
@@ -383,7 +491,11 @@ fn columns(described: &Described, asked: Asked) -> Vec<(String, Cell<'static>)> 
 }
 
 /// The cells of a motion, in the order of the columns, with its end, or with the drift of a steady one.
-fn of_motion(motion: &Motion<f64>, steady: Option<&Steady<f64>>) -> Vec<Cell<'static>> {
+fn of_motion(
+    elements: &[Element<f64>],
+    motion: &Motion<f64>,
+    steady: Option<&Steady<f64>>,
+) -> Vec<Cell<'static>> {
     let mut cells = Vec::new();
     for i in 0..motion.max_displacement.len() {
         let lists =
@@ -391,9 +503,12 @@ fn of_motion(motion: &Motion<f64>, steady: Option<&Steady<f64>>) -> Vec<Cell<'st
         let end = steady.is_none().then_some(&motion.end.displacement);
         cells.extend(lists.into_iter().chain(end).map(|list| Cell::Number(list.get(i).copied())));
     }
-    for element in &motion.elements {
+    for (given, element) in elements.iter().zip(&motion.elements) {
         cells.push(Cell::Number(Some(element.time_at_rest / motion.duration)));
         cells.push(Cell::Count(Some(element.stops as u64)));
+        if is_hard(given) {
+            cells.push(Cell::Count(Some(element.blows as u64)));
+        }
         cells.push(Cell::Number(Some(element.work)));
     }
     if let Some(steady) = steady {

@@ -1,12 +1,12 @@
 //! Bodies by name, and springs, contacts, stops and loads between them and the ground.
 
 use super::builder::Builder;
-use super::described::{Described, MOST_COORDINATES, MOST_ELEMENTS, base_of, law, peak};
+use super::described::{Described, MOST_COORDINATES, MOST_ELEMENTS, base_of, law, peak, restitution};
 use super::node::{Fields, Node, check_name, nearest};
 use super::signals::{NEEDS, add as plus};
+use crate::inputs::units::{Kind as Of, System as Units};
 use serde_json::Value;
 use std::path::Path;
-use stickslip::inputs::units::{Kind as Of, System as Units};
 use stickslip::system::{Base, Element, Kind, Law, Level, Model, Moved, MovedBy, Normal, Signal, State};
 
 /// The name of the ground.
@@ -16,20 +16,31 @@ const GROUND: &str = "ground";
 pub(super) fn described(root: &Node<'_>, folder: &Path, units: Units) -> Result<Described, String> {
     let fields = root.fields()?;
     let bodies = fields.required("masses")?.entries()?;
-    let n = bodies.len();
+    let lists = |name| fields.get(name).map_or_else(|| Ok(Vec::new()), |node| node.list());
+    let springs = lists("springs")?;
+    let mut names: Vec<String> = bodies.iter().map(|(name, _)| (*name).to_owned()).collect();
+    for spring in &springs {
+        let spring = spring.fields()?;
+        if spring.get("moves").is_some() {
+            names.push(pulled_end(&spring)?);
+        }
+    }
+    let n = names.len();
     if n == 0 || n > MOST_COORDINATES {
         return Err(format!("masses: {n} of them, must be ≥ 1 and ≤ {MOST_COORDINATES}"));
     }
     let zeros = || vec![vec![0.0; n]; n];
     let mut builder = Builder {
-        names: bodies.iter().map(|(name, _)| (*name).to_owned()).collect(),
         model: Model {
+            coordinates: names.clone(),
             mass: zeros(),
             damping: zeros(),
             stiffness: zeros(),
             constant: vec![0.0; n],
             ..Model::default()
         },
+        names,
+        taken: Vec::new(),
         folder,
         base: None,
     };
@@ -61,13 +72,12 @@ pub(super) fn described(root: &Node<'_>, folder: &Path, units: Units) -> Result<
         };
         let Some(mass) = mass else { continue };
         let value = mass.quantity(Of::Mass)?;
-        if value <= 0.0 {
-            return Err(mass.wrong("must be > 0"));
+        if value < 0.0 {
+            return Err(mass.wrong("must be ≥ 0"));
         }
         add(&mut builder.model.mass, i, i, value);
     }
-    let lists = |name| fields.get(name).map_or_else(|| Ok(Vec::new()), |node| node.list());
-    for node in lists("springs")? {
+    for node in springs {
         builder.spring(&node.fields()?)?;
     }
     for node in lists("contacts")? {
@@ -150,14 +160,30 @@ impl Builder<'_> {
             Some(node) => node.name()?.to_owned(),
             None => fields.node.place().to_owned(),
         };
-        if self.model.elements.iter().any(|element| element.name == name) || self.names.contains(&name) {
-            return Err(fields.node.wrong(&format!("the name {name} is used twice")));
-        }
+        self.only(fields, &name)?;
         Ok(name)
     }
 
+    /// Refuses a name that something else has: a value could not be set by it.
+    fn only(&self, fields: &Fields<'_>, name: &str) -> Result<(), String> {
+        let elements = self.model.elements.iter().map(|element| &element.name);
+        if elements.chain(&self.names).chain(&self.taken).any(|other| other == name) {
+            return Err(fields.node.wrong(&format!("the name {name} is used twice")));
+        }
+        Ok(())
+    }
+
+    /// The name of a spring or a force, if it has one.
+    fn take_name(&mut self, fields: &Fields<'_>) -> Result<(), String> {
+        let Some(node) = fields.get("name") else { return Ok(()) };
+        let name = node.name()?;
+        self.only(fields, name)?;
+        self.taken.push(name.to_owned());
+        Ok(())
+    }
+
     fn spring(&mut self, fields: &Fields<'_>) -> Result<(), String> {
-        let (_, ends) = self.direction(fields)?;
+        let (_, mut ends) = self.direction(fields)?;
         let value = |name: &'static str, kind: Of, like: &str| {
             let Some(node) = fields.get(name) else { return Ok(0.0) };
             let value = node.quantity(kind)?;
@@ -171,7 +197,19 @@ impl Builder<'_> {
         let stiffness = value("stiffness", Of::Stiffness, "as of a buckled strut")?;
         let damping = value("damping", Of::Damping, "which feeds the motion")?;
         // For paths of other values, as that of a force.
-        fields.get("name").map_or(Ok(""), |node| node.name())?;
+        self.take_name(fields)?;
+        if let Some(node) = fields.get("moves") {
+            if ends[0].is_some() {
+                return Err(
+                    node.wrong("needs the ground as the first end in between: it is the end that moves")
+                );
+            }
+            let end = pulled_end(fields)?;
+            ends[0] = self.names.iter().position(|name| *name == end);
+            if let Some(coordinate) = ends[0] {
+                self.moved(&node, fields, coordinate)?;
+            }
+        }
         fields.end()?;
         for (matrix, value) in [(&mut self.model.stiffness, stiffness), (&mut self.model.damping, damping)] {
             match ends {
@@ -351,6 +389,13 @@ impl Builder<'_> {
         let (direction, _) = self.direction(fields)?;
         let name = self.name(fields)?;
         let gap = fields.required("gap")?.quantity(Of::Length)?;
+        let elastic = ["stiffness", "damping", "coefficient", "along", "peak", "static_ratio"];
+        if let Some(restitution) = restitution(fields, &elastic, &["name"])? {
+            fields.end()?;
+            let (moves, kind) = (Signal::constant(0.0), Kind::HardStop { gap, restitution });
+            self.model.elements.push(Element { name, direction, moves, kind });
+            return Ok(());
+        }
         let stiffness = fields.required("stiffness")?.quantity(Of::Stiffness)?;
         let damping = fields.quantity_or("damping", Of::Damping, 0.0)?;
         let (along, ratio) = (fields.get("along"), peak(fields)?);
@@ -390,7 +435,7 @@ impl Builder<'_> {
         let Some(i) = self.body(&body)? else {
             return Err(body.wrong("must be a body: the ground does not move"));
         };
-        fields.get("name").map_or(Ok(""), |node| node.name())?;
+        self.take_name(fields)?;
         let force = unit(self.names.len(), i);
         let found = self.signal_of(fields, Of::Force, &["name"])?;
         // A misspelt name says more than a missing one.
@@ -484,6 +529,12 @@ pub(super) fn along(bodies: &[String], model: &Model<f64>, name: &str) -> Option
     let body = bodies.iter().position(|own| own == name).map(|place| unit(bodies.len(), place));
     let element = || model.elements.iter().find(|element| element.name == name);
     body.or_else(|| element().map(|element| element.direction.clone()))
+}
+
+/// The name of the end of a spring that is moved.
+fn pulled_end(fields: &Fields<'_>) -> Result<String, String> {
+    let name = fields.get("name").map(|node| node.name().map(str::to_owned)).transpose()?;
+    Ok(format!("{} end", name.unwrap_or_else(|| fields.node.place().to_owned())))
 }
 
 /// 1 at a place, and 0 elsewhere.

@@ -1,9 +1,9 @@
 //! A value of a file with its place, such as `springs[2].stiffness`, so that each mistake is one line that names both.
 
+use crate::inputs::units::{Kind, Reader};
 use crate::text::is_control;
 use serde_json::{Map, Value};
 use std::cell::RefCell;
-use stickslip::inputs::units::{Kind, Reader};
 
 /// A value and its place in the file.
 #[derive(Debug, Clone)]

@@ -1,12 +1,12 @@
 //! The verdicts on a system in a sentence, as every front prints them.
 
-use super::answer::kind_of;
+use super::answer::{is_hard, kind_of};
 use super::described::Described;
 use super::description::OfSliding;
+use crate::inputs::units::{Kind as Of, System as Units};
+use crate::words::digits;
 use std::f64::consts::TAU;
-use stickslip::inputs::units::{Kind as Of, System as Units};
-use stickslip::system::{Border, GREATEST_COEFFICIENT, Steady, SteadyKind};
-use stickslip::words::digits;
+use stickslip::system::{Border, Element, EventKind, GREATEST_COEFFICIENT, Kind, Motion, Steady, SteadyKind};
 
 /// One of a thing in words, or several in digits.
 #[must_use]
@@ -17,7 +17,13 @@ pub fn plural(count: usize, one: &str, several: &str) -> String {
 /// A number with the unit of its kind, where the units are known.
 #[must_use]
 pub fn with_unit(x: f64, units: Option<&Units>, kind: Of) -> String {
-    units.map_or_else(|| digits(x), |system| format!("{} {}", digits(x), system.name(kind)))
+    units.map_or_else(
+        || digits(x),
+        |system| {
+            let (unit, factor) = system.for_reading(kind);
+            format!("{} {unit}", digits(factor.times(x)))
+        },
+    )
 }
 
 /// A frequency in words: in hertz where the units are known.
@@ -81,11 +87,19 @@ pub fn steady_verdict(described: &Described, found: &Steady<f64>) -> String {
             } else {
                 format!(", {} periods of the loads", found.periods)
             };
+            let blows: usize = found.motion.elements.iter().map(|element| element.blows).sum();
+            let has_hard = described.model.elements.iter().any(is_hard);
+            let blows = match blows {
+                _ if !has_hard => String::new(),
+                0 => " and no blow".to_owned(),
+                blows => format!(" and {}", plural(blows, "blow", "blows")),
+            };
             format!(
-                "Periodic: it repeats itself after {}{multiple}, with {} in it.{}",
+                "Periodic: it repeats itself after {}{multiple}, with {}{blows} in it.{}{}",
                 with_unit(found.period, units, Of::Time),
                 if stops == 0 { "no rest".to_owned() } else { plural(stops, "rest", "rests") },
-                drift_sentence(described, found)
+                drift_sentence(described, found),
+                grazing_sentence(described, &found.motion)
             )
         }
         SteadyKind::Rest => "Rest: nothing moves in the end.".to_owned(),
@@ -100,6 +114,45 @@ pub fn steady_verdict(described: &Described, found: &Steady<f64>) -> String {
             decay_sentence(found)
         ),
     }
+}
+
+/// The part of a motion's velocity, or of its displacement, within which a stop is grazed.
+const GRAZED: f64 = 1e-6;
+
+/// The stops with a restitution that a motion only just reaches, or only just misses.
+fn grazing_sentence(described: &Described, motion: &Motion<f64>) -> String {
+    let largest = |a: &[f64], b: &[f64]| a.iter().chain(b).fold(0.0f64, |most, x| most.max(x.abs()));
+    let speed = largest(&motion.max_velocity, &motion.min_velocity);
+    let size = largest(&motion.max_displacement, &motion.min_displacement);
+    let grazed = |(i, element): (usize, &Element<f64>)| {
+        let Kind::HardStop { gap, .. } = element.kind else { return None };
+        let own = || motion.events.iter().filter(|event| event.element == i);
+        // Blows that end in contact become ever smaller.
+        if own().any(|event| event.kind != EventKind::Blow) {
+            return None;
+        }
+        let weakest = own().filter_map(|event| event.velocities).map(|pair| pair.0).reduce(f64::min);
+        let is_grazed = match weakest {
+            Some(weakest) => weakest <= GRAZED * speed,
+            None => {
+                let far = |(i, b): (usize, &f64)| {
+                    let list = if *b > 0.0 { &motion.max_displacement } else { &motion.min_displacement };
+                    b * list.get(i).copied().unwrap_or(0.0)
+                };
+                let sides = element.direction.iter().enumerate().filter(|(_, b)| **b != 0.0);
+                let reach: Vec<f64> = sides.map(far).collect();
+                // Of two bodies that move, the sum of both is no distance.
+                matches!(reach.as_slice(), [one] if (gap - one).abs() <= GRAZED * size)
+            }
+        };
+        is_grazed.then(|| {
+            format!(
+                " The motion grazes {}: there a small disturbance is multiplied without bound, and no multiplier says how.",
+                element.name
+            )
+        })
+    };
+    described.model.elements.iter().enumerate().filter_map(grazed).collect()
 }
 
 /// How fast the change of a motion falls that has not settled, and how much of it is left.
@@ -134,7 +187,11 @@ fn drift_sentence(described: &Described, found: &Steady<f64>) -> String {
 #[must_use]
 pub fn border_verdict(described: &Described, found: &Border<f64>) -> String {
     let contact = described.model.elements.iter().find(|element| kind_of(element) == "contact");
-    let contact = contact.map_or("", |element| element.name.as_str());
+    // A contact that is called so needs no second name.
+    let contact = match contact.map_or("", |element| element.name.as_str()) {
+        "" | "contact" => "the contact".to_owned(),
+        name => format!("the contact {name}"),
+    };
     let part = |list: &[f64], i: usize| list.get(i).copied().unwrap_or(0.0);
     let is_loaded =
         |i: usize| described.model.harmonics.iter().any(|h| part(&h.sin, i) != 0.0 || part(&h.cos, i) != 0.0);
@@ -153,9 +210,12 @@ pub fn border_verdict(described: &Described, found: &Border<f64>) -> String {
     };
     let least = digits(found.least_load_factor);
     match found.least_load_factor_from_rest {
-        None => format!("The contact {contact} never sticks if {load} is at least {least} times this one."),
+        None => {
+            let contact = contact.replacen('t', "T", 1);
+            format!("{contact} never sticks if {load} is at least {least} times this one.")
+        }
         Some(release) => format!(
-            "Once it slides, the contact {contact} never sticks if {load} is at least {least} times this one. From rest it starts to slide \
+            "Once it slides, {contact} never sticks if {load} is at least {least} times this one. From rest it starts to slide \
              if {load} is at least {} times this one.",
             digits(release)
         ),

@@ -3,12 +3,12 @@
 use super::builder::Builder;
 use super::described::{MOST_FREQUENCIES, MOST_RECORDS, MOST_SAMPLES};
 use super::node::{Fields, Node, nearest};
+use crate::inputs::units::Kind as Of;
 use crate::record::{self, Options, Words};
 use crate::text::{of_bytes, open_regular};
 use std::f64::consts::TAU;
 use std::io::{BufReader, Read};
 use stickslip::Excitation;
-use stickslip::inputs::units::Kind as Of;
 use stickslip::motion::record::{After, Record as Measured};
 use stickslip::system::{Beyond, Harmonic, MovedBy, Record, Signal};
 
@@ -371,6 +371,13 @@ impl Builder<'_> {
         }
         drop(given);
         let signal = self.over_time(&first, &fields, kind)?;
+        let jumps =
+            |(i, factor): (usize, &f64)| *factor != 0.0 && self.model.records.get(i).is_some_and(jumps);
+        if by == MovedBy::Displacement && signal.records.iter().enumerate().any(jumps) {
+            return Err(first.wrong(
+                "must not change at once, because that takes an infinite velocity: give a steep straight line between the values",
+            ));
+        }
         fields.end()?;
         Ok((by, signal))
     }
@@ -442,6 +449,13 @@ fn without_options(fields: &Fields<'_>) -> Result<(), String> {
     found
         .first()
         .map_or(Ok(()), |node| Err(node.wrong("belongs to a record, and needs the name of its file")))
+}
+
+/// Whether a record changes at once: two values at one time, or at the end of a period.
+fn jumps(record: &Record<f64>) -> bool {
+    let ends = (record.values.first(), record.values.last());
+    let mut pairs = record.times.iter().zip(record.times.iter().skip(1));
+    pairs.any(|(a, b)| a == b) || (record.beyond == Beyond::Repeat && ends.0 != ends.1)
 }
 
 /// A positive frequency.

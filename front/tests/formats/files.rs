@@ -3,7 +3,7 @@
 use super::read_text;
 use serde_json::Value;
 use std::path::PathBuf;
-use stickslip::inputs::units::{Reader, System};
+use stickslip_front::inputs::units::{Reader, System};
 use stickslip_front::record::{Options, Reading, Words, describe};
 
 /// What must be read of a file.

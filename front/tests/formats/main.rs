@@ -12,8 +12,8 @@ use drawn::cases;
 use layouts::{Drawn, Written};
 use proptest::prelude::*;
 use std::io::{BufReader, Read};
-use stickslip::inputs::units::Reader;
 use stickslip::motion::record::{Body, Entry};
+use stickslip_front::inputs::units::Reader;
 use stickslip_front::record::{Options, Reading, Words, read};
 
 /// The record of a text, in SI units.

@@ -1,7 +1,7 @@
 //! Parts of records, steps of their load, and what is said of them.
 
 use crate::read_text;
-use stickslip::inputs::units::{Reader, System};
+use stickslip_front::inputs::units::{Reader, System};
 use stickslip_front::record::{Options, Reading, Words, read};
 
 /// The samples 0, 1, 2 … at these times.

@@ -37,6 +37,7 @@ fn by_names() -> Value {
         "stops": [
             {"between": ["ground", "roof"], "gap": "9 mm", "stiffness": "1 kN/mm", "damping": 0.1},
             {"between": ["ground", "roof"], "gap": "9 mm", "stiffness": 3, "coefficient": 0.3, "along": ["ground", "block"]},
+            {"between": ["block", "roof"], "gap": "20 mm", "restitution": 0.4},
         ],
         "forces": [
             {"on": "roof", "amplitude": "1.5 kN", "frequency": "3 Hz", "phase": "30deg"},
@@ -57,6 +58,7 @@ fn by_matrices() -> Value {
             {"type": "elastic", "direction": [1, -1], "stiffness": 50, "friction": 3},
             {"type": "stop", "direction": [0, 1], "gap": 0.1, "stiffness": 1e4, "side": -1},
             {"type": "contact", "direction": [0, 1], "friction": 0.3, "normal": {"const": 2, "displacement": [0.1, 0]}},
+            {"type": "stop", "direction": [1, 0], "gap": 0.4, "restitution": 0.6},
         ],
         "harmonics": [{"frequency": 18.8, "sin": [0, 1500], "cos": [1, 0]}],
         "record": {"times": [0, 0.1, 0.2], "values": [0, 1, -1], "force": [1, 1]},

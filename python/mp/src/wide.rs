@@ -7,8 +7,9 @@ use interrupt::{Stop, interruptible};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stickslip::float::{Mp, ParseError};
+use stickslip::internal::{ResponseAnswer, Value, observed};
 use stickslip::motion::{LongRun, State, SteadyAnswer, SteadyOutput, SteadyState};
-use stickslip::{Definition, Float, NoStop, Output, Ratios, Response, ResponseAnswer, Value, observed};
+use stickslip::{Definition, Float, NoStop, Output, Ratios, Response};
 
 /// A value on its way to Python.
 enum Cell {

@@ -52,10 +52,11 @@ from ._motion import Decay, MachineDecay, MachinePhases, MachineSamples, Phases,
 from ._native import Error, __version__
 from ._record import Block, FloorSpectrum, Followed, Motion, Polarities, Record, Spectrum, spectrum
 from ._steady import STEADY_OUTPUTS, MachineSteady, Steady, steady
-from ._system import (
+from ._system import System
+from ._system_results import (
     ElementMotion,
-    System,
     SystemBorder,
+    SystemEvents,
     SystemGrid,
     SystemMotion,
     SystemStates,
@@ -111,6 +112,7 @@ __all__ = [
     "Steady",
     "System",
     "SystemBorder",
+    "SystemEvents",
     "SystemGrid",
     "SystemMotion",
     "SystemStates",

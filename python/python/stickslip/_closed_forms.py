@@ -53,6 +53,8 @@ OF_ARRAYS = (
     "loop_size_inertia",
     "contraction",
 )
+#: The number of points from which on outputs are computed when they are read, unless they are named.
+_MANY = 1 << 17
 #: The outputs that are computed at once at a single point: those that need no search.
 _OF_POINT = tuple(name for name, row in _ROWS.items() if not row[4])
 
@@ -183,7 +185,7 @@ def response(
         Above 1 the motion can depend on the start.
     outputs : names, optional
         The outputs to compute at once, from `OUTPUTS`; ``dict(result)`` then has these alone. Without it, those that
-        take little time are computed at once, and every other output when it is read.
+        take little time are computed at once below 131,072 points, and every other output when it is read.
     out : mapping of names to arrays, optional
         For array arguments: existing arrays that receive the named outputs. Each is C-contiguous, of type float64 and
         of the broadcast shape. Reusing arrays avoids new memory.
@@ -244,7 +246,10 @@ def response(
 def of_points(at: Points, chosen: Optional[tuple[str, ...]], excitation: Optional[str] = None) -> Response[Any, Any]:
     """The response at points, under an excitation if there is one."""
     source = _Source(at, excitation)
-    first = chosen if chosen is not None else _OF_POINT if at.shape is None else OF_ARRAYS
+    if chosen is not None:
+        first: tuple[str, ...] = chosen
+    else:
+        first = _OF_POINT if at.shape is None else OF_ARRAYS if at.size < _MANY else ()
     names = None if chosen is None else (*RATIOS, *chosen)
     return Response({**at.in_shape(), **source(first)}, source, chosen=names, like=at.like)
 

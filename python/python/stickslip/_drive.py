@@ -14,7 +14,7 @@ from . import _native
 from ._labels import Labelled, Like, aligned, in_units, is_labelled, numbers, shape_of
 from ._native import Error
 from ._quantity import parted
-from ._result import Floats, V, Value, are_equal, one, short
+from ._result import Floats, Frozen, V, Value, are_equal, one, read_only, short
 
 #: The kind of the amplitude of each excitation.
 _KINDS = dict(_native.EXCITATIONS)
@@ -98,7 +98,7 @@ def system_of(what: str, units: Optional[str], is_named: bool, own: Optional[str
 
 
 @dataclass(frozen=True, init=False, eq=False, repr=False)
-class Drive(Generic[V]):
+class Drive(Frozen, Generic[V]):
     """A harmonic drive: an amplitude and a frequency, numbers or arrays that broadcast.
 
     Parameters
@@ -259,9 +259,7 @@ class Drive(Generic[V]):
         keywords = {**given, "frequency": frequency, "angular_frequency": angular_frequency, "mean_force": mean_force}
         fields["_keywords"] = kept(keywords)
         for key, value in fields.items():
-            if type(value) is np.ndarray:
-                value.flags.writeable = False
-            object.__setattr__(self, key, value)
+            object.__setattr__(self, key, read_only(value))
 
     @property
     def frequency(self) -> V:

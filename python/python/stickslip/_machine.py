@@ -14,13 +14,13 @@ from ._attractors import Basins, MachineAttractors, attractors
 from ._closed_forms import OUTPUTS, Border, MachineResponse
 from ._drive import INPUTS, Drive, Quantity, angular, angular_of, has_unit, in_system, is_array, kept, one_value, stand_in, texts, values_of
 from ._labels import WrongType, aligned, numbers, shape_of
-from ._motion import MachineDecay, MachinePhases, MachineSamples, decay, simulate
+from ._motion import MachineDecay, MachinePhases, MachineSamples, decay_of, samples_of, simulate
 from ._native import Error
 from ._outputs import MachineResponseOutput, MachineSteadyOutput
 from ._physical import OF_BODY, Driven, Scaled, names_of, outputs_of, related
 from ._record import FloorSpectrum, Followed, Motion, Polarities, Record, Sliding, floor_spectrum, follow, motion, polarities
 from ._quantity import parted
-from ._result import RATIOS, Floats, PhysicalResult, Points, Result, V, Words, are_equal, named, of_type, one, points, short, whole_number
+from ._result import RATIOS, Floats, Frozen, PhysicalResult, Points, Result, V, Words, are_equal, constant_or, named, of_type, one, points, read_only, short, whole_number
 from ._start import REST, STATE, Starts, three
 from ._steady import STEADY_OUTPUTS, MachineSteady
 
@@ -40,7 +40,7 @@ _GROUPS = (
 
 
 @dataclass(frozen=True, init=False, eq=False, repr=False)
-class Machine(Generic[V]):
+class Machine(Frozen, Generic[V]):
     """A body on its spring and friction surface, or several of them.
 
     Values are text with units, such as ``"12 kN/mm"``, or quantities of pint or astropy, in any mixture, or numbers in one
@@ -200,9 +200,7 @@ class Machine(Generic[V]):
         if friction_backward is None:
             shown["friction_backward"] = None
         for name, value in {**shown, "units": system, **hidden}.items():
-            if type(value) is np.ndarray:
-                value.flags.writeable = False
-            object.__setattr__(self, name, value)
+            object.__setattr__(self, name, read_only(value))
 
     @overload
     def replace(self: "Machine[float]", **changes: Union[float, str, None]) -> "Machine[float]": ...
@@ -355,11 +353,7 @@ class Machine(Generic[V]):
         chosen = None if outputs is None else named(outputs, (*_rows.MACHINE_STEADY, *STEADY_OUTPUTS))
         periods = whole_number("max_periods", max_periods)
         driven = self._driven(drive, start)
-        ratios, given = driven.ratios(), driven.at.given
-        scales = (1.0, driven.scale("length"), driven.scale("velocity"))
-        starts = {
-            name: given[name] / scale if np.any(given[name]) else np.asarray(0.0) for name, scale in zip(STATE, map(np.asarray, scales))
-        }
+        ratios, starts = driven.ratios(), dict(zip(STATE, self._starts(driven)))
         asked = None if chosen is None else tuple(outputs_of(chosen, _rows.STEADY_SOURCES))
         at = Points(ratios.shape, {**ratios.given, **starts}, ratios.like)
         answer = _steady.of_points(at, without(asked), periods, driven.excitation)
@@ -380,22 +374,22 @@ class Machine(Generic[V]):
     @overload
     def simulate(
         self,
-        drive: Drive[float],
+        drive: Drive[Any],
         *,
         phase: float = 0.0,
-        displacement: Quantity = 0.0,
-        velocity: Quantity = 0.0,
+        displacement: ArrayLike = 0.0,
+        velocity: ArrayLike = 0.0,
         cycles: float = 1.0,
         samples: int,
     ) -> MachineSamples: ...
 
     def simulate(
         self,
-        drive: Drive[float],
+        drive: Drive[Any],
         *,
         phase: float = 0.0,
-        displacement: Quantity = 0.0,
-        velocity: Quantity = 0.0,
+        displacement: ArrayLike = 0.0,
+        velocity: ArrayLike = 0.0,
         cycles: float = 1.0,
         samples: Optional[int] = None,
     ) -> Union[MachinePhases, MachineSamples]:
@@ -411,16 +405,25 @@ class Machine(Generic[V]):
         >>> found.displacement.round(6), found.units["displacement"]
         (array([ 0.001   ,  0.008907, -0.018173]), 'm')
         """
-        driven = self._driven(drive)
-        point = driven.ratios()
+        driven = self._driven(drive, (one("phase", phase, "angle"), displacement, velocity))
+        point, starts = driven.ratios(), self._starts(driven)
         if point.shape is not None:
-            raise Error("a motion takes one machine and a drive of one amplitude and one frequency")
-        x, v = self._value("displacement", displacement, "length"), self._value("velocity", velocity, "velocity")
-        start = (one("phase", phase, "angle"), x / one("length", driven.scale("length")), v / one("velocity", driven.scale("velocity")))
+            at = Points(point.shape, {**point.given, **dict(zip(STATE, starts))}, point.like)
+            return MachineSamples.of(samples_of(at, cycles, samples), driven)
+        start: tuple[float, float, float] = tuple(map(float, starts))  # type: ignore[assignment]
         ratios: dict[str, Any] = dict(zip(RATIOS, point.columns))
         if samples is None:
             return MachinePhases.of(simulate(**ratios, start=start, cycles=cycles), driven)
         return MachineSamples.of(simulate(**ratios, start=start, cycles=cycles, samples=samples), driven)
+
+    @staticmethod
+    def _starts(driven: Driven) -> tuple[Any, Any, Any]:
+        """The starts of motions in ratios."""
+        given = driven.at.given
+        scales = (1.0, driven.scale("length"), driven.scale("velocity"))
+        starts = (given[name] / np.asarray(scale) if np.any(given[name]) else np.asarray(0.0) for name, scale in zip(STATE, scales))
+        phase, x, v = starts
+        return phase, x, v
 
     def attractors(
         self, drive: Drive[float], *, starts: Any = 1000, reach: Optional[float] = None, max_periods: int = 2000
@@ -475,10 +478,10 @@ class Machine(Generic[V]):
         values = {"displacement": x, "velocity": v, "attractor": found.of_start.reshape(v.size, x.size), "attractors": found.attractors}
         return Basins.of(values, units)
 
-    def decay(self, displacement: Quantity, velocity: Quantity = 0.0) -> MachineDecay:
+    def decay(self, displacement: ArrayLike, velocity: ArrayLike = 0.0) -> MachineDecay[Any]:
         """Free vibration to rest, in the machine's units; ``ratios`` has the same one in ratios. See `decay`.
 
-        The start is a displacement and a velocity of the machine.
+        The start is a displacement and a velocity of the machine, or arrays of them.
 
         >>> import stickslip as ss
         >>> machine = ss.Machine(mass="2 kg", stiffness="800 N/m", friction="3 N")
@@ -486,18 +489,25 @@ class Machine(Generic[V]):
         >>> found.half_cycles, round(found.rest_position, 6), found.units["rest_position"]
         (7, 0.0025, 'm')
         """
-        x, v = self._value("displacement", displacement, "length"), self._value("velocity", velocity, "velocity")
-        if self._body[2] == 0:
+        driven = self._driven(Drive(force=1.0, angular_frequency=1.0, units=self.units), (0.0, displacement, velocity))
+        at, given = driven.at, driven.at.given
+        without = np.asarray(self.friction) == 0
+        if at.shape is None and without:
             raise Error("friction = 0: must be > 0, as a free vibration without friction does not end")
-        time = 1.0 / one("natural_angular_frequency", self.natural_angular_frequency)
-        driven = self._driven(Drive(force=1.0, angular_frequency=1.0, units=self.units))
-        length = one("length", driven.constant("length"))
-        ratios = one("damping_ratio", driven.constant("damping_ratio")), one("ratio", driven.constant("static_friction_ratio"))
-        found = decay(x / length, v * time / length, *ratios)
+        time = 1.0 / np.sqrt(given["stiffness"] / given["mass"])
+        length = np.asarray(driven.constant("length"))
+        x = given[STATE[1]] / length
+        ratios = (driven.constant("damping_ratio"), driven.constant("static_friction_ratio"))
+        # A vibration without friction does not end.
+        values = (np.where(without, np.nan, x), given[STATE[2]] * time / length, *map(np.asarray, ratios))
+        names = ("displacement", "velocity", *RATIOS[2:])
+        found = decay_of(Points(at.shape, dict(zip(names, values)), at.like))
         sizes = {"first_turn": ("length", length), "rest_position": ("length", length), "path": ("length", length), "rest_time": ("time", time)}
-        values = {"half_cycles": found.half_cycles, **{name: found[name] * size for name, (_, size) in sizes.items()}}
+        scaled = {name: found._values[name] * size for name, (_, size) in sizes.items()}
+        if at.shape is None:
+            scaled = {name: float(value) for name, value in scaled.items()}
         units = names_of(self.units, {name: kind for name, (kind, _) in sizes.items()})
-        return related(MachineDecay(values, units=units), found, driven)
+        return related(MachineDecay({"half_cycles": found._values["half_cycles"], **scaled}, units=units, like=at.like), found, driven)
 
     def follow(
         self,
@@ -886,7 +896,7 @@ def _bodies(given: Mapping[str, Any], units: Optional[str]) -> tuple[dict[str, A
     found, failed, system = _native.machines(texts(single), columns, int(np.prod(shape)), units)
     own = {}
     for name, column in found.items():
-        array = column.reshape(shape)
+        array = constant_or(column.reshape(shape))
         own[name] = like.dressed(name, array, {}) if like is not None else array
     if "friction_backward" not in given:
         own["friction_backward"] = float("nan")

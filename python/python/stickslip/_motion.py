@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, Optional, TypeVar, Union, overload
+from typing import Any, Generic, Optional, TypeVar, Union, overload
+
+import numpy as np
+from numpy.typing import ArrayLike
 
 from . import _native
+from ._labels import Like, Labelled, module
+from ._native import Error
 from ._physical import OF_SIMULATION, Driven, Scaled, names_of, related
-from ._result import RATIOS, Codes, Floats, PhysicalResult, Result, Words, of_number, one, whole_number
-from ._start import REST, Start, state
+from ._result import RATIOS, Codes, Floats, PhysicalResult, Points, Result, V, Words, of_number, one, points, shaped, whole_number
+from ._start import REST, STATE, Start, Starts, state, three
 
 _KINDS = ("slide-forward", "slide-backward", "stick")
 _ENDS = ("reversal", "stop", "grazing", "release", "never")
@@ -41,7 +46,7 @@ class Phases(Result):
 
 
 class Samples(Result):
-    """The motion at evenly spaced phases; see `simulate`.
+    """The motion at evenly spaced phases; see `simulate`. Of several points the last axis of each value but the phase is that of the phases.
 
     Attributes
     ----------
@@ -78,8 +83,8 @@ class Samples(Result):
         return self.displacement, force + self.displacement if spring else force
 
 
-class Decay(Result):
-    """Free vibration to rest; see `decay`.
+class Decay(Result, Generic[V]):
+    """Free vibration to rest; see `decay`. Of several starts each value is an array.
 
     Attributes
     ----------
@@ -93,11 +98,18 @@ class Decay(Result):
         Time until rest, in units of ``sqrt(m/k)``; NaN if the body creeps for ever.
     """
 
-    half_cycles: int
-    first_turn: float
-    rest_position: float
-    path: float
-    rest_time: float
+    _rows = {
+        "half_cycles": ("", "Half cycles of sliding until rest"),
+        "first_turn": ("B", "Displacement at the first turning point"),
+        "rest_position": ("B", "Displacement at rest"),
+        "path": ("B", "Length of the path to rest"),
+        "rest_time": ("√(m/k)", "Time until rest"),
+    }
+    half_cycles: V
+    first_turn: V
+    rest_position: V
+    path: V
+    rest_time: V
 
 
 class MachinePhases(PhysicalResult):
@@ -137,11 +149,11 @@ class MachineSamples(PhysicalResult):
     _along = "time"
     _rows = {
         "phase": ("rad", "Phase of the drive"),
-        "time": ("", "Time"),
-        "displacement": ("", "Displacement"),
-        "velocity": ("", "Velocity"),
-        "friction_force": ("", "Friction, with the sign of the velocity"),
-        "mean_displacement": ("", "Displacement from which the others are measured"),
+        "time": ("time", "Time"),
+        "displacement": ("length", "Displacement"),
+        "velocity": ("velocity", "Velocity"),
+        "friction_force": ("force", "Friction, with the sign of the velocity"),
+        "mean_displacement": ("length", "Displacement from which the others are measured"),
     }
     time: Floats
     phase: Floats
@@ -163,23 +175,24 @@ class MachineSamples(PhysicalResult):
 
     def loop(self, *, spring: bool = False) -> tuple[Floats, Floats]:
         """The hysteresis loop: displacements, and the force against friction, with that of the spring if asked."""
-        stiffness = float(self._driven.at.given["stiffness"])
+        stiffness: Any = self._driven.at.given["stiffness"]
+        stiffness = stiffness[..., None] if stiffness.ndim else float(stiffness)
         force = self.friction_force
         return self.displacement, force + stiffness * self.displacement if spring else force
 
 
-class MachineDecay(PhysicalResult):
+class MachineDecay(PhysicalResult, Generic[V]):
     """Free vibration of a machine to rest, in its units; see `Machine.decay` and `Decay`."""
 
-    half_cycles: int
-    first_turn: float
-    rest_position: float
-    path: float
-    rest_time: float
-    _ratios: Decay
+    half_cycles: V
+    first_turn: V
+    rest_position: V
+    path: V
+    rest_time: V
+    _ratios: Decay[V]
 
     @property
-    def ratios(self) -> Decay:
+    def ratios(self) -> Decay[V]:
         """The same motion in ratios."""
         return self._ratios
 
@@ -190,14 +203,23 @@ _M = TypeVar("_M", bound=PhysicalResult)
 def _in_units(kind: type[_M], found: Result, driven: Driven) -> _M:
     """A motion in the units of a machine."""
     sources = {own: name for name, (own, _, _) in OF_SIMULATION.items()}
-    scaled = Scaled(found, driven, {**{name: name for name in kind._names}, **sources})
+    shape = driven.at.shape
+    if shape is not None:
+        # The last axis is that of the phases.
+        given = {name: array[..., None] if array.ndim else array for name, array in driven.at.given.items()}
+        found_in = driven._replace(at=Points((*shape, 1), given, None))
+    else:
+        found_in = driven
+    scaled = Scaled(found, found_in, {**{name: name for name in kind._names}, **sources})
     kinds = {own: of for own, _, of in OF_SIMULATION.values() if own in kind._names}
     units = names_of(driven.units, {**kinds, "mean_displacement": "length"})
     values = {name: scaled.value(name) for name in kind._names if name not in ("kind", "ends_by")}
+    if shape is not None:
+        values["mean_displacement"] = values["mean_displacement"][..., 0]
     words: dict[str, Any] = {name: found._values[name] for name in ("kind", "ends_by") if name in kind._names}
     if units is not None:
         units |= {name: "rad" for name in kind._names if name.endswith("phase")}
-    return related(kind({**words, **values}, units=units), found, driven)
+    return related(kind({**words, **values}, units=units, like=found._like), found, driven)
 
 
 @overload
@@ -215,24 +237,24 @@ def simulate(
 
 @overload
 def simulate(
-    omega: float,
-    alpha: float,
-    damping_ratio: float = 0.0,
-    static_friction_ratio: float = 1.0,
+    omega: Union[ArrayLike, Labelled],
+    alpha: Union[ArrayLike, Labelled],
+    damping_ratio: Union[ArrayLike, Labelled] = 0.0,
+    static_friction_ratio: Union[ArrayLike, Labelled] = 1.0,
     *,
-    start: Start = REST,
+    start: Starts = REST,
     cycles: float = 1.0,
     samples: int,
 ) -> Samples: ...
 
 
 def simulate(
-    omega: float,
-    alpha: float,
-    damping_ratio: float = 0.0,
-    static_friction_ratio: float = 1.0,
+    omega: Any,
+    alpha: Any,
+    damping_ratio: Any = 0.0,
+    static_friction_ratio: Any = 1.0,
     *,
-    start: Start = REST,
+    start: Any = REST,
     cycles: float = 1.0,
     samples: Optional[int] = None,
 ) -> Union[Phases, Samples]:
@@ -240,10 +262,11 @@ def simulate(
 
     Parameters
     ----------
-    omega, alpha, damping_ratio, static_friction_ratio : float
-        Frequency ratio, force ratio, damping ratio, and ratio of static to kinetic friction.
+    omega, alpha, damping_ratio, static_friction_ratio : float or array
+        Frequency ratio, force ratio, damping ratio, and ratio of static to kinetic friction. Arrays need ``samples``; a point outside the
+        domain has NaN then.
     start : (phase, displacement, velocity)
-        In radians of the drive, B and B w; at rest by default.
+        In radians of the drive, B and B w; at rest by default. The displacement and the velocity may be arrays.
     cycles : float
         Drive cycles to follow, > 0.
     samples : int, optional
@@ -262,8 +285,13 @@ def simulate(
     >>> ss.simulate(0.4, 6, cycles=2, samples=4).displacement.round(3)
     array([ 0.   ,  7.331,  0.348, -5.143, -3.211,  7.996,  1.502, -6.712,
            -2.082])
+    >>> ss.simulate([0.4, 0.7], 6, samples=4).displacement.shape
+    (2, 5)
     """
     given = (omega, alpha, damping_ratio, static_friction_ratio)
+    at = points(**dict(zip(RATIOS, given)), **dict(zip(STATE, three(start))))
+    if at.shape is not None:
+        return samples_of(at, cycles, samples)
     point = tuple(one(name, value) for name, value in zip(RATIOS, given))
     if samples is None:
         table: dict[str, Any] = _native.phases(point, state(start), of_number("cycles", cycles))
@@ -273,28 +301,64 @@ def simulate(
     return sampled(point, state(start), of_number("cycles", cycles), whole_number("samples", samples))
 
 
+def samples_of(at: Points, cycles: Any, samples: Any) -> Samples:
+    """The samples of the motions at many points, with their starts."""
+    if samples is None:
+        raise Error("samples: must be given with arrays, because the phases of each motion are others")
+    if at.given[STATE[0]].size != 1:
+        raise Error(f"{STATE[0]}: must be one number with arrays, because the samples are at common phases")
+    *ratios, phase, x, v = at.columns
+    shape, like = at.shape or (), at.like
+    start_phase = float(np.asarray(phase).reshape(-1)[0])
+    found = _native.samples_of_each(ratios, at.size, start_phase, (x, v), of_number("cycles", cycles), whole_number("samples", samples))
+    phases = found.pop("phase")
+    whole = (*shape, phases.size)
+    if like is not None and like.dims:
+        like = Like(whole, dims=(*like.dims, "phase"), coords={**like.coords, "phase": phases})
+    elif like is not None and like.axes and len(like.axes) == len(shape) == 1:
+        like = Like(whole, axes=(*like.axes, module("pandas").Index(phases, name="phase")))
+    else:
+        like = Like(whole)
+    return Samples({"phase": phases, **shaped(found, whole)}, like=like)
+
+
 def sampled(point: Sequence[float], start: Start, cycles: float, per_cycle: int, whole_turns: bool = False) -> Samples:
     """The samples of a motion from its start, or from the next whole turn of the drive."""
     return Samples(_native.samples(point, start, cycles, per_cycle, whole_turns))
 
 
+@overload
 def decay(
-    displacement: float,
-    velocity: float = 0.0,
-    damping_ratio: float = 0.0,
-    static_friction_ratio: float = 1.0,
-) -> Decay:
+    displacement: float, velocity: float = 0.0, damping_ratio: float = 0.0, static_friction_ratio: float = 1.0
+) -> Decay[float]: ...
+
+
+@overload
+def decay(
+    displacement: Union[ArrayLike, Labelled],
+    velocity: Union[ArrayLike, Labelled] = 0.0,
+    damping_ratio: Union[ArrayLike, Labelled] = 0.0,
+    static_friction_ratio: Union[ArrayLike, Labelled] = 1.0,
+) -> Decay[Any]: ...
+
+
+def decay(
+    displacement: Any,
+    velocity: Any = 0.0,
+    damping_ratio: Any = 0.0,
+    static_friction_ratio: Any = 1.0,
+) -> Decay[Any]:
     """Free vibration to rest, without a drive.
 
     Parameters
     ----------
-    displacement : float
+    displacement : float or array
         At the start, in B.
-    velocity : float
+    velocity : float or array
         At the start, in ``B sqrt(k/m)``.
-    damping_ratio : float
+    damping_ratio : float or array
         Damping ratio of a viscous damper, >= 0.
-    static_friction_ratio : float
+    static_friction_ratio : float or array
         Ratio of static to kinetic friction, >= 1. A larger ratio holds the body at rest at larger displacements.
 
     Returns
@@ -308,6 +372,8 @@ def decay(
     8
     >>> ss.decay(12, 6, damping_ratio=0.05).half_cycles
     6
+    >>> ss.decay([12, 20], damping_ratio=0.05).half_cycles
+    array([4., 6.])
     """
     given = {
         "displacement": displacement,
@@ -315,4 +381,13 @@ def decay(
         "damping_ratio": damping_ratio,
         "static_friction_ratio": static_friction_ratio,
     }
-    return Decay(_native.decay_at(*(one(name, value) for name, value in given.items())))
+    return decay_of(points(**given))
+
+
+def decay_of(at: Points) -> Decay[Any]:
+    """Free vibrations from displacements and velocities, with damping ratios and static friction ratios."""
+    found: dict[str, Any] = _native.decays(at.columns, at.size, at.shape is None)
+    if at.shape is None:
+        found = {name: column.item() for name, column in found.items()}
+        return Decay({**found, "half_cycles": int(found["half_cycles"])})
+    return Decay(shaped(found, at.shape), like=at.like)

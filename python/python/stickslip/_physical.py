@@ -133,6 +133,9 @@ class Scaled(NamedTuple):
     sources: Mapping[str, str]
 
     def __call__(self, names: Iterable[str]) -> dict[str, Any]:
+        names = tuple(names)
+        if len(names) > 1:
+            self.answer._compute(self.sources[name] for name in names if name in self.sources)
         return {name: self.value(name) for name in names}
 
     def value(self, name: str) -> Any:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Generic, NamedTuple, NoReturn, Optional, TypeVar, Union, overload
 
@@ -18,6 +18,7 @@ from ._physical import names_of
 from ._quantity import parted
 from ._result import (
     Floats,
+    Frozen,
     Meaning,
     PhysicalResult,
     Points,
@@ -29,6 +30,7 @@ from ._result import (
     of_type,
     one,
     points,
+    read_only,
     short,
 )
 
@@ -101,14 +103,15 @@ _ANSWERS = {
 
 
 def _meanings(texts: Mapping[str, str]) -> dict[str, Meaning]:
-    return {name: ("", text) for name, text in texts.items()}
+    kinds = {**UNITS_OF_ANSWERS, **_OF_STATES}
+    return {name: (kinds.get(name, ""), text) for name, text in texts.items()}
 
 
 @dataclass(frozen=True, init=False, eq=False, repr=False)
-class Record:
+class Record(Frozen):
     """A measured load: samples, and straight lines between them. It cannot be changed.
 
-    ``record * 2``, ``-record``, ``record / 9.81`` and the sum of two records of the same times are records. So is a slice such
+    ``record * 2``, ``-record``, ``record / 9.81``, and sums and differences of records of the same times are records. So is a slice such
     as ``record[100:]``, whose samples keep their times.
 
     Parameters
@@ -275,12 +278,6 @@ class Record:
             object.__setattr__(new, name, value)
         return new
 
-    def __setstate__(self, state: Mapping[str, Any]) -> None:
-        for name, value in state.items():
-            if isinstance(value, np.ndarray):
-                value.flags.writeable = False
-            object.__setattr__(self, name, value)
-
     @property
     def time_step(self) -> Optional[float]:
         """The time between the samples; None where they are at times of their own."""
@@ -383,10 +380,21 @@ class Record:
         return self.scaled(-1.0)
 
     def __add__(self, other: "Record") -> "Record":
+        return self._beside(other, np.add)
+
+    def __radd__(self, other: Any) -> "Record":
+        # The sum of several records begins with 0.
+        return self if isinstance(other, int) and not isinstance(other, bool) and other == 0 else self._beside(other, np.add)
+
+    def __sub__(self, other: "Record") -> "Record":
+        return self._beside(other, np.subtract)
+
+    def _beside(self, other: Any, of: Callable[[Floats, Floats], Floats]) -> "Record":
+        """A record made of the samples of this one and another of its kind, unit and times."""
         of_type("other record", other, Record)
         if (self.of, self.unit) != (other.of, other.unit) or not np.array_equal(self.times, other.times):
-            raise Error("records can be added if they are of one kind, in one unit and at the same times")
-        return self._of(self.samples + other.samples, self._times, self.of, self.unit, self.after, None)
+            raise Error("records can be added and subtracted if they are of one kind, in one unit and at the same times")
+        return self._of(of(self.samples, other.samples), self._times, self.of, self.unit, self.after, None)
 
     def __len__(self) -> int:
         return len(self.samples)
@@ -749,7 +757,7 @@ def floor_spectrum(of: Sliding, record: Record, start: tuple[Any, Any], period: 
 
 
 @dataclass(frozen=True, init=False, eq=False, repr=False)
-class Block:
+class Block(Frozen):
     """A body without a spring on a surface, such as Newmark's sliding block, or several by arrays that broadcast.
 
     Parameters
@@ -838,9 +846,7 @@ class Block:
         hidden = {"_keywords": keywords, "_named": units is not None, "_stiffness": 0.0, "_failed": dict(failed)}
         shown = {name: value for name, value in values.items() if name != "stiffness"}
         for name, value in {**shown, "one_way": bool(one_way), "units": system, **hidden}.items():
-            if type(value) is np.ndarray:
-                value.flags.writeable = False
-            object.__setattr__(self, name, value)
+            object.__setattr__(self, name, read_only(value))
 
     def replace(self, **changes: Any) -> "Block":
         """This block with other values, by the keywords of `Block`; see `Machine.replace`.

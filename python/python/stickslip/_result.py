@@ -54,6 +54,24 @@ class Source(Protocol):
     def __call__(self, names: tuple[str, ...]) -> Mapping[str, Any]: ...
 
 
+def read_only(value: Any) -> Any:
+    """A value whose arrays, those of a dict too, cannot be written to."""
+    if isinstance(value, dict):
+        for inner in value.values():
+            read_only(inner)
+    elif type(value) is np.ndarray:
+        value.flags.writeable = False
+    return value
+
+
+class Frozen:
+    """Fields that cannot be changed, not even the arrays of a copy or of an unpickled object."""
+
+    def __setstate__(self, state: Mapping[str, Any]) -> None:
+        for name, value in state.items():
+            object.__setattr__(self, name, read_only(value))
+
+
 class Output:
     """A value of a result, which is computed when it is first read."""
 
@@ -173,9 +191,11 @@ class Result(dict[str, Any], metaclass=Brief):
         return KeysView(self)
 
     def values(self) -> ValuesView[Any]:  # type: ignore[override]
+        self._compute(self._chosen)
         return ValuesView(self)
 
     def items(self) -> ItemsView[str, Any]:  # type: ignore[override]
+        self._compute(self._chosen)
         return ItemsView(self)
 
     def copy(self) -> dict[str, Any]:
@@ -216,6 +236,12 @@ class Result(dict[str, Any], metaclass=Brief):
         arrays = (self._array(name) for name in names if self._is_at_hand(name))
         return next((array.shape for array in arrays), ())
 
+    def _compute(self, names: Iterable[str]) -> None:
+        """Computes those of some values that are not there yet at once."""
+        missing = tuple(dict.fromkeys(name for name in names if name not in self._values))
+        if missing and self._source is not None:
+            self._values.update(self._source(missing))
+
     def _array(self, name: str) -> NDArray[Any]:
         self._read(name)
         value = self._values[name]
@@ -223,13 +249,15 @@ class Result(dict[str, Any], metaclass=Brief):
 
     def _columns(self) -> tuple[tuple[int, ...], dict[str, NDArray[Any]]]:
         """The common shape, and the values of that shape by name: for each point one, two, or the same one for all."""
+        self._compute(self._chosen)
         shape = self._shape()
         found: dict[str, NDArray[Any]] = {}
         for name in self._chosen:
             array = self._array(name)
-            if array.dtype.kind == "O" or self._along is not None and array.shape != shape:
+            of_each = self._along is None or array.shape == shape or array.ndim == 1 and array.shape == shape[-1:]
+            if array.dtype.kind == "O" or not of_each:
                 continue
-            if array.ndim == 0:
+            if array.ndim == 0 or self._along is not None:
                 found[name] = np.broadcast_to(array, shape)
             elif array.shape == shape:
                 found[name] = array
@@ -273,7 +301,7 @@ class Result(dict[str, Any], metaclass=Brief):
         coords: dict[str, Any] = {}
         if like is not None and like.dims:
             dims, coords = like.dims, dict(like.coords)
-        elif self._along is not None:
+        elif self._along is not None and len(shape) == 1:
             dims = (self._along,)
         elif like is not None and like.axes:
             unlabelled = len(shape) - len(like.axes)
@@ -283,6 +311,9 @@ class Result(dict[str, Any], metaclass=Brief):
             coords = {dim: (dim, axis) for dim, axis in zip(own, like.axes)}
         else:
             dims = tuple(f"dim_{axis}" for axis in range(len(shape)))
+        if self._along is not None and len(shape) > 1:
+            # The motions of many points have common phases.
+            dims, coords = (*dims[:-1], "phase"), {**coords, "phase": ("phase", self._array("phase"))}
         variables = {name: (dims, array, self._attributes(name)) for name, array in columns.items() if name not in coords}
         return xarray.Dataset(variables, coords=coords)
 
@@ -305,7 +336,7 @@ class Result(dict[str, Any], metaclass=Brief):
         style
             Of the lines, for matplotlib.
         """
-        from ._plot import lines, plane
+        from ._plot import axes_of, lines, plane
 
         shown = names or (next(name for name in ("displacement", "max_displacement", "min_force_ratio", *self) if name in self._names),)
         for name in (*shown, *([] if over is None else [over])):
@@ -318,6 +349,15 @@ class Result(dict[str, Any], metaclass=Brief):
                 raise Error("over: name the value along the axis")
             curves = {name: self._array(name) for name in shown}
             return lines(ax, self._array(x), curves, self._titled(x), self._titled(shown[0]), style)
+        if len(shape) == 2 and self._along is not None:
+            # A line for each motion.
+            whole = [np.broadcast_to(self._array(name), shape) for name in (over or self._along, *shown)]
+            ax = axes_of(ax)
+            for one, *others in zip(*whole):
+                for other in others:
+                    ax.plot(one, other, **style)
+            ax.set(xlabel=self._titled(over or self._along), ylabel=self._titled(shown[0]))
+            return ax
         if len(shape) == 2 and len(shown) == 1:
             along: list[Optional[str]] = [None, None]
             for name in self._axes():
@@ -344,7 +384,7 @@ class Result(dict[str, Any], metaclass=Brief):
         values = ((name, self._at_hand(name)) for name in self._chosen if self._is_at_hand(name))
         texts = [f"{name}={self._text(name, value)}" for name, value in values if not _is_nothing(value)]
         if len(texts) > _MOST_SHOWN:
-            texts = [*texts[:_MOST_SHOWN], f"… {len(texts) - _MOST_SHOWN} more"]
+            texts = [*texts[:_MOST_SHOWN], f"... {len(texts) - _MOST_SHOWN} more"]
         return f"{type(self).__name__}({', '.join(texts)})"
 
     def _repr_html_(self) -> str:
@@ -476,6 +516,12 @@ class PhysicalResult(Result):
         return super()._is_at_hand(name) or is_at_hand is not None and is_at_hand(name)
 
 
+def constant_or(array: NDArray[Any]) -> NDArray[Any]:
+    """An array, in the memory of one number where all its values are the same."""
+    is_constant = array.size > 1 and bool(np.all(array == array.flat[0]))
+    return np.broadcast_to(array.flat[0], array.shape) if is_constant else array
+
+
 #: The points whose columns are in memory at once, where arrays are broadcast.
 _BLOCK = 1 << 18
 
@@ -499,8 +545,8 @@ class Points(NamedTuple):
         """Each ratio as a column with one value for each point, or as one number for all points."""
 
         def column(array: Floats) -> Value:
-            if array.size == 1:
-                return float(array.reshape(-1)[0])
+            if array.size == 1 or array.size and not any(array.strides):
+                return float(array.flat[0])
             return np.ascontiguousarray(np.broadcast_to(array, self.shape or ())).reshape(-1)
 
         return tuple(column(array) for array in self.given.values())

@@ -44,6 +44,8 @@ _WORDS = {"regime": _native.REGIMES, "limit": _native.LIMITS}
 _OF_ASYMMETRY = ("error_1", "error_2", "error_3", "error_4")
 #: The outputs that need a search for the peaks of a cycle.
 _OF_PEAKS = tuple(name for name, row in _ROWS.items() if row[4])
+#: The number of points from which on outputs are computed when they are read, unless they are named: all take 300 bytes a point.
+_MANY = 1 << 20
 #: The other outputs, which are computed at once.
 AT_ONCE = tuple(name for name in _ROWS if name not in (*_OF_ASYMMETRY, *_OF_PEAKS))
 
@@ -223,8 +225,8 @@ def steady(
         Periods of the drive to follow; a motion that has not settled by then is ``"not-converged"``.
     outputs : names, optional
         The outputs to compute at once; ``dict(result)`` then has these alone. Without it, all are but those that need
-        more work, such as ``transmissibility``, which are computed when they are read. Naming them saves following the
-        motion twice.
+        more work, such as ``transmissibility``, which are computed when they are read, and so is each output of 1,048,576 points or
+        more. Naming them saves following the motion twice.
     bits : int, optional
         For a single point: the precision, as for `response`.
 
@@ -264,7 +266,7 @@ def of_points(
     """The steady state at points with their starts, under an excitation."""
     source = _Source(at, max_periods, excitation)
     names = None if chosen is None else (*RATIOS, *chosen)
-    values = source(AT_ONCE) if chosen is None else source(chosen)
+    values = source((AT_ONCE if at.size < _MANY else ()) if chosen is None else chosen)
     # Of many points every value is a column of a table; the two multipliers of each are read by their name.
     if names is None and at.shape is not None:
         names = tuple(name for name in Steady._names if name != "multipliers")

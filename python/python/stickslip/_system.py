@@ -5,216 +5,34 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Mapping, Sequence
-from typing import Any, Optional, Union
+from typing import Any, NamedTuple, Optional, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
 from ._drive import is_array
-from ._labels import numbers, unreadable
+from ._labels import WrongType, is_labelled, is_pandas, numbers, unreadable
 from ._native import Error
 from ._quantity import parted
 from ._record import Record
-from ._result import Floats, Result, are_same, of_type
+from ._result import Floats, of_type
+from ._system_results import ElementMotion, Elements, GridAxis, SystemBorder, SystemGrid, SystemMotion, SystemStates, SystemSteady, some
 
 #: A number in the system's units, or a text with a unit.
 Quantity = Union[float, str]
 #: The values of an axis: a text such as "1Hz:5Hz:50", or a sequence of numbers or of texts with a unit.
 Values = Union[str, float, Sequence[Quantity], NDArray[Any]]
-
-
-class ElementMotion(Result):
-    """The answers of a contact, an elastic contact or a stop; see `SystemMotion.elements`.
-
-    Attributes
-    ----------
-    kind : str
-        ``"contact"``, ``"elastic"`` or ``"stop"``.
-    time_at_rest : float
-        Time in which a contact sticks, an elastic contact holds, or a stop is open.
-    stops : int
-        How often such a time begins.
-    work : float
-        Work that the bodies do on it.
-    """
-
-    kind: str
-    time_at_rest: float
-    stops: int
-    work: float
-
-
-class SystemMotion(Result):
-    """The motion of a system; see `System.simulate` and `System.follow`. Arrays have an entry for each coordinate.
-
-    Attributes
-    ----------
-    kind : str
-        ``"transient"``; of a steady motion ``"periodic"``, ``"rest"``, ``"growing"`` or ``"unsettled"``.
-    coordinates : tuple of str
-    duration : float
-    start_displacement, start_velocity, end_displacement, end_velocity : array
-        States at the beginning and at the end.
-    max_displacement, min_displacement, max_velocity, min_velocity : array
-        Extremes, those between events too.
-    max_absolute_acceleration : array, or None
-        Greatest size of the acceleration in space; None where the base does not move.
-    elements : dict of str to ElementMotion
-    event_time : array
-    event_element, event_kind : array of str
-        Name of the element, and stick, slip, reverse, touch, yield, lock, open or close.
-    load_work, damper_work, stored_energy : float
-        ``load_work = damper_work + stored_energy +`` the works of the elements.
-    units : dict of str to str, or None
-        The unit of each quantity; None for matrices.
-    """
-
-    kind: str
-    coordinates: tuple[str, ...]
-    duration: float
-    start_displacement: Floats
-    start_velocity: Floats
-    end_displacement: Floats
-    end_velocity: Floats
-    max_displacement: Floats
-    min_displacement: Floats
-    max_velocity: Floats
-    min_velocity: Floats
-    max_absolute_acceleration: Optional[Floats]
-    elements: Mapping[str, ElementMotion]
-    event_time: Floats
-    event_element: NDArray[np.str_]
-    event_kind: NDArray[np.str_]
-    load_work: float
-    damper_work: float
-    stored_energy: float
-    units: Optional[Mapping[str, str]]
-
-    def __repr__(self) -> str:
-        events = f"{len(self.event_time)} events"
-        return f"{type(self).__name__}({self.kind}, {self.duration:.6g} long, {events}: {_some(self.coordinates)})"
-
-
-class SystemSteady(SystemMotion):
-    """The motion that a system tends to; see `System.steady`. One period of it, with the values of a `SystemMotion`.
-
-    Attributes
-    ----------
-    periods : int
-        After how many periods of the loads the motion repeats itself.
-    periods_followed : int
-    drift : array
-        Displacement of each coordinate in a period that no force notices; 0 where springs hold the system.
-    mean_velocity : array
-        Mean velocity of each coordinate.
-    multipliers : array of complex
-        Multipliers of a small disturbance over the period.
-    change, decay : float
-        Change of the motion over the last period that was followed, relative to its size, and the factor by which this change is
-        multiplied in a period; ``decay`` is 0 where the motion has settled.
-    """
-
-    periods: int
-    periods_followed: int
-    drift: Floats
-    mean_velocity: Floats
-    multipliers: NDArray[np.complex128]
-    change: float
-    decay: float
-
-
-class SystemStates(Result):
-    """States of a system at times; see `System.states`.
-
-    Attributes
-    ----------
-    time : array
-    displacement, velocity : array
-        A row for each time, a column for each coordinate.
-    force : array
-        A row for each time, a column for each element.
-    absolute_acceleration : array, or None
-        Acceleration in space, a row for each time, a column for each coordinate; of one side where it jumps, as at an event.
-        None where the base does not move.
-    coordinates, elements : tuple of str
-        The names of the columns.
-    units : dict of str to str, or None
-        The unit of each quantity; None for matrices.
-    """
-
-    time: Floats
-    displacement: Floats
-    velocity: Floats
-    force: Floats
-    absolute_acceleration: Optional[Floats]
-    coordinates: tuple[str, ...]
-    elements: tuple[str, ...]
-    units: Optional[Mapping[str, str]]
-
-    def __repr__(self) -> str:
-        return f"SystemStates({len(self.time)} times: {_some([*self.coordinates, *self.elements])})"
-
-
-class SystemBorder(Result):
-    """The least load that keeps a contact from sticking; see `System.border`.
-
-    Attributes
-    ----------
-    least_load_factor : float
-        The factor of the system's load.
-    touching_time : float
-        Time after a reversal at which the velocity of the contact touches zero under that load.
-    least_load_factor_from_rest : float or None
-        The factor from which on the contact leaves its rest; None where static and kinetic friction are equal.
-    cycle : dict or None
-        ``max_displacement``, ``displacement_time``, ``max_velocity``, ``velocity_time`` and ``work`` of the contact at the
-        system's load; None where it sticks.
-    """
-
-    least_load_factor: float
-    touching_time: float
-    least_load_factor_from_rest: Optional[float]
-    cycle: Optional[Mapping[str, float]]
-
-
-class SystemGrid(dict[str, Any]):
-    """The answers over a grid, in columns by name; see `System.grid`. ``pandas.DataFrame(grid)`` is a table of them.
-
-    Attributes
-    ----------
-    errors : dict of int to str
-        The rows without an answer, with the reasons; their numbers are NaN.
-    """
-
-    errors: Mapping[int, str]
-
-    def __init__(self, columns: Mapping[str, Any], errors: Mapping[int, str]) -> None:
-        super().__init__(columns)
-        self.errors = dict(errors)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, SystemGrid) and are_same(dict(self), dict(other)) and self.errors == other.errors
-
-    def __ne__(self, other: object) -> bool:
-        return not self == other
-
-    def __repr__(self) -> str:
-        rows = len(next(iter(self.values()), ()))
-        failed = f", {len(self.errors)} without an answer" if self.errors else ""
-        return f"SystemGrid({rows} rows{failed}: {_some(list(self))})"
-
-
-def _some(names: Sequence[str]) -> str:
-    """Names in a line that fits a screen."""
-    return ", ".join(names if len(names) <= 6 else [*names[:5], f"… {len(names) - 5} more"])
+#: One path, or several whose values change together.
+Paths = Union[str, tuple[str, ...]]
 
 
 class System:
     """Several bodies with springs, contacts, elastic contacts, stops and loads, or matrices with elements.
 
     The keywords are the fields of the command's file (see its page of recipes). Values are numbers in ``units``, or texts
-    with a unit.
+    with a unit. A system may also be made step by step, by `mass`, `spring`, `contact`, `stop`, `force`, `base` and `level`, each of which
+    returns a further system; it is checked when it is first asked.
 
     Parameters
     ----------
@@ -226,7 +44,7 @@ class System:
         force. ``peak`` (static over kinetic friction), ``stiffness`` (of an elastic contact), ``moves`` (the motion of the
         other side) and ``name`` may be left out.
     stops : list of dict
-        ``between``, ``gap``, ``stiffness``, ``damping``.
+        ``between``, ``gap``, and ``stiffness`` and ``damping``, or a ``restitution`` from 0 to 1.
     forces : list of dict
         ``on`` a body: ``amplitude``, ``frequency``, ``phase`` and ``shape``, and ``constant``, and ``record``, a file that may
         have ``repeats``. A bare frequency is in
@@ -240,7 +58,8 @@ class System:
         Such as ``"N,mm"``.
     mass, damping, stiffness : matrix
         In place of bodies: matrices in ``units``, or without them in any consistent ones, with ``elements`` and ``harmonics`` as dicts, ``constant``,
-        ``record`` and ``start``. Without units, frequencies are per unit of time.
+        ``record`` and ``start``. Without units, frequencies are per unit of time. Frames of pandas and data arrays of xarray are put in the
+        order of the labels of the first; sparse matrices of SciPy are taken, too.
     folder : path
         The folder of files that are named.
 
@@ -268,7 +87,7 @@ class System:
     0.3022...
     """
 
-    _handle: _native.NativeSystem
+    _built: Optional[_native.NativeSystem]
     #: The text, the name, the folder and the units of the description, and the changes made to it since.
     _made: tuple[tuple[str, str, str, Optional[str]], tuple[tuple[Any, ...], ...]]
 
@@ -311,9 +130,12 @@ class System:
             "record": record,
             "start": start,
         }
+        _aligned(given)
         fields = {name: _plain(name, value) for name, value in given.items() if value is not None}
-        described = (json.dumps(fields), "", os.fspath(folder), None)
-        self._handle, self._made = _native.NativeSystem(*described), (described, ())
+        self._built, self._made = None, ((json.dumps(fields), "", os.fspath(folder), None), ())
+        if masses is not None or mass is not None:
+            # What is complete is checked at once.
+            _ = self._handle
 
     @classmethod
     def read(cls, file: Union[str, os.PathLike[str]], *, units: Optional[str] = None) -> "System":
@@ -325,22 +147,150 @@ class System:
                 data = opened.read(1 << 24)
         except OSError as error:
             raise unreadable(name, error) from None
-        return cls._of((_native.system_text(data, str(name)), str(name), os.path.dirname(name), units))
+        found = cls._of((_native.system_text(data, str(name)), str(name), os.path.dirname(name), units))
+        _ = found._handle
+        return found
 
     @classmethod
     def _of(cls, described: tuple[str, str, str, Optional[str]], changes: tuple[tuple[Any, ...], ...] = ()) -> "System":
         new = object.__new__(cls)
-        new._handle, new._made = _native.NativeSystem(*described), (described, ())
-        for name, *arguments in changes:
-            new = new._changed(name, *arguments)
+        new._built, new._made = None, (described, changes)
         return new
+
+    @property
+    def _handle(self) -> _native.NativeSystem:
+        """The system in the compiled part, which is made when it is first asked."""
+        if self._built is None:
+            described, changes = self._made
+            built = _native.NativeSystem(*described)
+            for name, *arguments in changes:
+                built = getattr(built, name)(*arguments)
+            self._built = built
+        return self._built
 
     def _changed(self, name: str, *arguments: Any) -> "System":
         """This system after a method of the compiled part."""
         new = object.__new__(type(self))
         described, changes = self._made
-        new._handle, new._made = getattr(self._handle, name)(*arguments), (described, (*changes, (name, *arguments)))
+        new._built, new._made = getattr(self._handle, name)(*arguments), (described, (*changes, (name, *arguments)))
         return new
+
+    def _with(self, field: str, added: Any, **others: Any) -> "System":
+        """This system with a further entry in a field of its description, and the changes made to it."""
+        (text, name, folder, units), changes = self._made
+        value = json.loads(text if text.lstrip().startswith("{") else _native.NativeSystem(text, name, folder, units).value())
+        added = {key: _plain(f"{field}.{key}", own) for key, own in {**added, **others}.items() if own is not None}
+        if field in ("masses", "base"):
+            value[field] = {**value.get(field, {}), **added}
+        else:
+            place = f"{field}[{len(value.setdefault(field, [])) + 1}]"
+            plain = {_path(f"{place}.{key}").removeprefix(f"{place}."): own for key, own in added.items()}
+            value[field] = [*value[field], plain]
+        return self._of((json.dumps(value), "", folder, units), changes)
+
+    def mass(
+        self,
+        name: str,
+        mass: Optional[Quantity] = None,
+        *,
+        start: Optional[Quantity] = None,
+        velocity: Optional[Quantity] = None,
+        moves: Optional[Mapping[str, Any]] = None,
+        **others: Any,
+    ) -> "System":
+        """This system with a further body: its mass, its displacement and velocity at the start, or its prescribed motion.
+
+        Here and in the other steps, further keywords are those of the file.
+
+        >>> import stickslip as ss
+        >>> frame = (
+        ...     ss.System(units="N,mm")
+        ...     .mass("block", "1 t")
+        ...     .mass("roof", "500 kg", start="3 mm")
+        ...     .spring("ground", "block", "200 N/mm", damping="0.3 N*s/mm")
+        ...     .spring("block", "roof", "300 N/mm")
+        ...     .contact("ground", "block", "450 N", name="bearing")
+        ...     .force("roof", "1.5 kN", frequency="3 Hz")
+        ... )
+        >>> frame
+        System(block, roof; bearing)
+        >>> frame.steady().to_frame()["max_displacement"].round(3).to_dict()
+        {'block': 6.057, 'roof': 3.432}
+        """
+        fields = {"mass": mass, "start": start, "velocity": velocity, "moves": moves, **others}
+        return self._with("masses", {name: {key: value for key, value in fields.items() if value is not None}})
+
+    def spring(
+        self, first: str, second: str, stiffness: Optional[Quantity] = None, *, damping: Optional[Quantity] = None, name: Optional[str] = None, **others: Any
+    ) -> "System":
+        """This system with a spring, a damper or both between two bodies, or ``"ground"`` and a body."""
+        return self._with("springs", {"name": name, "between": [first, second], "stiffness": stiffness, "damping": damping}, **others)
+
+    def contact(
+        self,
+        first: str,
+        second: str,
+        friction: Optional[Quantity] = None,
+        *,
+        coefficient: Optional[Quantity] = None,
+        normal_load: Any = None,
+        law: Any = None,
+        peak: Optional[float] = None,
+        stiffness: Optional[Quantity] = None,
+        moves: Any = None,
+        name: Optional[str] = None,
+        **others: Any,
+    ) -> "System":
+        """This system with a contact: its friction force, or a coefficient with the normal load, or a law."""
+        fields = {"name": name, "between": [first, second], "friction": friction, "coefficient": coefficient, "normal_load": normal_load}
+        return self._with("contacts", {**fields, "law": law, "peak": peak, "stiffness": stiffness, "moves": moves}, **others)
+
+    def stop(
+        self, first: str, second: str, *, gap: Quantity, stiffness: Optional[Quantity] = None, damping: Optional[Quantity] = None, name: Optional[str] = None, **others: Any
+    ) -> "System":
+        """This system with an end stop, which the second body meets after the gap."""
+        fields = {"name": name, "between": [first, second], "gap": gap, "stiffness": stiffness, "damping": damping}
+        return self._with("stops", fields, **others)
+
+    def force(
+        self,
+        on: str,
+        amplitude: Optional[Quantity] = None,
+        *,
+        frequency: Optional[Quantity] = None,
+        angular_frequency: Optional[Quantity] = None,
+        constant: Optional[Quantity] = None,
+        name: Optional[str] = None,
+        **others: Any,
+    ) -> "System":
+        """This system with a force on a body. A bare frequency is in hertz, an angular one in radians per second."""
+        if frequency is not None and angular_frequency is not None:
+            raise Error(f"force: {_ONE_OF_TWO}")
+        fields = {"name": name, "on": on, "amplitude": amplitude, "frequency": frequency, "angular_frequency": angular_frequency, "constant": constant}
+        return self._with("forces", fields, **others)
+
+    def base(self, **motion: Any) -> "System":
+        """This system on a base that moves: ``acceleration``, ``velocity`` or ``displacement``, as in the file."""
+        return self._with("base", motion)
+
+    def level(self, on: Optional[str] = None, *, between: Optional[Sequence[str]] = None, **others: Any) -> "System":
+        """This system with a value whose passage is an event: ``displacement`` or ``velocity`` of a body, or between two."""
+        return self._with("levels", {"on": on, "between": None if between is None else list(between)}, **others)
+
+    def to_json(self) -> str:
+        """The file of this system, as `read` and the command read it."""
+        if any(name == "with_record" for name, *_ in self._made[1]):
+            raise Error("a record in memory has no place in a file: name its file in base or forces")
+        return json.dumps(json.loads(self._handle.value()), indent=1)
+
+    def write(self, file: Union[str, os.PathLike[str]]) -> None:
+        """Writes the file of this system, as `read` and the command read it."""
+        text = self.to_json()
+        try:
+            with open(file, "w", encoding="utf-8") as opened:
+                opened.write(text + "\n")
+        except OSError as error:
+            raise unreadable(os.fspath(file), error) from None
 
     def __reduce__(self) -> Any:
         return type(self)._of, self._made
@@ -423,19 +373,22 @@ class System:
         more = {name: found[name] for name in ("periods", "periods_followed", "change", "decay")}
         more.update({name: np.array(found[name], dtype=float) for name in ("drift", "mean_velocity")})
         more["multipliers"] = multipliers
-        return SystemSteady({**_motion(found, found["period"]), **more})
+        steady: SystemSteady = SystemSteady({**_motion(found, found["period"]), **more}).of_system(self)
+        return steady
 
     def simulate(self, until: Quantity) -> SystemMotion:
         """The motion from the start to a time."""
         found = json.loads(self._handle.simulate(self._time("until", until)))
-        return SystemMotion(_motion(found, found["duration"]))
+        motion: SystemMotion = SystemMotion(_motion(found, found["duration"])).of_system(self)
+        return motion
 
     def follow(self, record: Record, until: Optional[Quantity] = None) -> SystemMotion:
         """The motion from the start under a record of the base's acceleration, to its end or to a time."""
         under = self.under(record)
         end = under._handle.end_of_records() if until is None else self._time("until", until)
         found = json.loads(under._handle.simulate(end))
-        return SystemMotion(_motion(found, found["duration"]))
+        motion: SystemMotion = SystemMotion(_motion(found, found["duration"])).of_system(under)
+        return motion
 
     def under(self, record: Record) -> "System":
         """This system under a record of the base's acceleration, beside its loads."""
@@ -470,11 +423,11 @@ class System:
 
     def grid(
         self,
-        values: Optional[Mapping[str, Values]] = None,
+        values: Union[Mapping[Any, Any], Any, None] = None,
         *,
         frequency: Optional[Values] = None,
         angular_frequency: Optional[Values] = None,
-        records: Optional[Mapping[str, Record]] = None,
+        records: Union[Mapping[str, Record], Sequence[Record], None] = None,
         question: Optional[str] = None,
         until: Optional[Quantity] = None,
     ) -> SystemGrid:
@@ -482,17 +435,24 @@ class System:
 
         Parameters
         ----------
-        values : dict of str to values
-            Paths with their values, such as ``{"bearing.friction": "100N:1kN:20"}``, or a sequence.
+        values : dict of str to values, or a frame of pandas
+            Paths with their values, such as ``{"bearing.friction": "100N:1kN:20"}``, or a sequence: each is an axis. Series with the same
+            labels, and data arrays with the same dim, lie along one axis and change together; so do the columns of an array under
+            a tuple of paths, and those of a frame, whose columns are paths and whose index labels the rows.
         frequency : values
             Lowest frequency of the loads, in hertz; all others change in proportion.
         angular_frequency : values
             The same in radians per second; give one of the two.
-        records : dict of str to Record
-            Records of the base's acceleration by name.
+        records : dict of str to Record, or a list
+            Records of the base's acceleration by name, or by their numbers from 1.
         question : str
             ``"steady"``, ``"simulate"`` (from the start to ``until``, or to the end of the record) or ``"border"``. With
             records the motion under each by default, otherwise the steady motion.
+
+        Returns
+        -------
+        SystemGrid
+            With a column for each value and answer, whose name has its unit in brackets, however the values were typed.
 
         Examples
         --------
@@ -505,32 +465,41 @@ class System:
         ... )
         >>> grid = system.grid({"c.friction": ["1 N", "2 N"]}, frequency="1Hz:2Hz:3")
         >>> grid
-        SystemGrid(6 rows: c.friction[N], frequency[Hz], kind, periods, m.max_displacement[m], … 8 more)
-        >>> grid["frequency[Hz]"]
-        array([1. , 1.5, 2. , 1. , 1.5, 2. ])
+        SystemGrid(6 rows: c.friction[N], frequency[Hz], kind, periods, m.max_displacement[m], ... 8 more)
+        >>> grid["frequency[Hz]"], grid["frequency"].size, grid.shape
+        (array([1. , 1.5, 2. , 1. , 1.5, 2. ]), 6, (2, 3))
+        >>> grid.to_xarray()["max_displacement"].sel({"c.friction": 2, "body": "m"}).round(4).values
+        array([0.0431, 0.1529, 0.0197])
         """
-        axes: list[tuple[Optional[str], list[str]]] = [
-            (_path(path), _several(path, axis)) for path, axis in (values or {}).items()
-        ]
+        axes = _axes_of(values)
         if frequency is not None and angular_frequency is not None:
             raise Error(_ONE_OF_TWO)
         for name, axis in (("frequency", frequency), ("angular_frequency", angular_frequency)):
             if axis is not None:
-                axes.append((None, _several(name, axis)))
+                axes.append(_Axis("frequency", _labels_of(axis)[1], [(None, _several(name, axis))]))
         named = []
-        for name, record in (records or {}).items():
+        given = records if hasattr(records, "items") else {str(place): record for place, record in enumerate(records or (), 1)}
+        for name, record in given.items():  # type: ignore[union-attr]
             of_type(f"records[{name!r}]", record, Record)
             named.append((str(name), *_load(record, self.units)))
         asked = question or ("simulate" if named else "steady")
         end = None if until is None else self._time("until", until)
-        columns, failed = self._handle.grid(axes, named, asked, end)
+        flat = [(path, typed, place > 0) for axis in axes for place, (path, typed) in enumerate(axis.values)]
+        columns, failed, lengths = self._handle.grid(flat, named, asked, end)
         texts = {name: np.array(column) if isinstance(column, list) else column for name, column in columns.items()}
-        return SystemGrid(texts, dict(failed))
+        shown, sizes = iter(texts), iter(lengths)
+        known = [GridAxis("record", (next(shown),), None, next(sizes))] if named else []
+        for own in axes:
+            of = tuple(next(shown) for _ in own.values)
+            length = [next(sizes) for _ in own.values][0]
+            known.append(GridAxis(own.name, of, own.labels, length))
+        coordinates, elements, _ = self._handle.names()
+        return SystemGrid(texts, dict(failed), known, (tuple(coordinates), tuple(elements)))
 
     def curve(
         self,
         frequency: Optional[Values] = None,
-        values: Optional[Mapping[str, Values]] = None,
+        values: Union[Mapping[Any, Any], Any, None] = None,
         *,
         angular_frequency: Optional[Values] = None,
     ) -> SystemGrid:
@@ -551,8 +520,81 @@ class System:
         return self._handle.time(name, _typed(name, value))
 
     def __repr__(self) -> str:
-        elements = self.elements
-        return f"System({_some(self.coordinates)}{'; ' if elements else ''}{_some(elements)})"
+        try:
+            elements = self.elements
+        except Error as error:
+            return f"System(not complete: {error})"
+        return f"System({some(self.coordinates)}{'; ' if elements else ''}{some(elements)})"
+
+
+class _Axis(NamedTuple):
+    """An axis of a grid: its name, its labels if it has any, and the paths and values that change along it."""
+
+    name: str
+    labels: Optional[list[Any]]
+    values: list[tuple[Optional[str], list[str]]]
+
+
+def _labels_of(values: Any) -> tuple[Optional[str], Optional[list[Any]]]:
+    """The name of the axis that values with labels lie on, and the labels, where they have some of their own."""
+    if is_pandas(values):
+        index = values.index
+        is_counted = type(index).__name__ == "RangeIndex" and index.name is None
+        return None if index.name is None else str(index.name), None if is_counted else list(index)
+    if is_labelled(values) and values.ndim == 1:
+        dim = values.dims[0]
+        return str(dim), list(values.indexes[dim]) if dim in values.indexes else None
+    return None, None
+
+
+def _axes_of(values: Any) -> list[_Axis]:
+    """The axes of a grid: values with the same labels, or under one tuple of paths, lie along one of them."""
+    axes: list[_Axis] = []
+    if is_pandas(values) and hasattr(values, "columns"):
+        name, labels = _labels_of(values)
+        columns: list[tuple[Optional[str], list[str]]] = [(_path(str(path)), _several(str(path), values[path])) for path in values.columns]
+        return [_Axis(name or "row", labels, columns)] if columns else []
+    if values is not None and not hasattr(values, "items"):
+        raise WrongType(f"values: must be a dict of paths with their values, or a frame whose columns are paths, not {type(values).__name__}")
+    for paths, axis in (values or {}).items():
+        if isinstance(paths, tuple):
+            array = np.asarray(axis, dtype=object if any(isinstance(x, str) for x in np.ravel(np.asarray(axis, dtype=object))) else None)
+            if array.ndim != 2 or array.shape[1] != len(paths):
+                raise Error(f"{paths}: must have a column for each of the {len(paths)} paths, not the shape {array.shape}")
+            axes.append(_Axis("row", None, [(_path(path), _several(path, column.tolist())) for path, column in zip(paths, array.T)]))
+            continue
+        name, labels = _labels_of(axis)
+        of_path: tuple[Optional[str], list[str]] = (_path(paths), _several(paths, axis))
+        beside = next((own for own in axes if is_labelled(axis) and (own.name, own.labels) == (name or "row", labels) and (name or labels)), None)
+        if beside is not None:
+            beside.values.append(of_path)
+        else:
+            axes.append(_Axis(name or ("row" if labels else str(of_path[0])), labels, [of_path]))
+    names = [axis.name for axis in axes]
+    # Several axes of rows without a name are told apart by their numbers.
+    return [axis._replace(name=f"{axis.name} {place}") if names.count(axis.name) > 1 else axis for place, axis in enumerate(axes, 1)]
+
+
+def _aligned(given: dict[str, Any]) -> None:
+    """Puts labelled matrices in the order of the labels of the first, and makes sparse ones dense."""
+    first: Optional[tuple[str, Any]] = None
+    for name in ("mass", "damping", "stiffness"):
+        matrix = given[name]
+        if hasattr(matrix, "toarray"):
+            given[name] = matrix.toarray()
+            continue
+        if not is_labelled(matrix) or np.ndim(matrix) != 2:
+            continue
+        frame = matrix if is_pandas(matrix) else matrix.to_pandas()
+        rows, columns = frame.index, frame.columns
+        if type(rows).__name__ == type(columns).__name__ == "RangeIndex":
+            given[name] = frame.to_numpy()
+            continue
+        first = first or (name, rows)
+        of, labels = first
+        if not (labels.is_unique and set(rows) == set(columns) == set(labels)):
+            raise Error(f"{name}: its rows and columns must have the labels of {of}")
+        given[name] = frame.loc[list(labels), list(labels)].to_numpy()
 
 
 def _load(record: Record, units: Optional[str]) -> tuple[str, Floats, Floats]:
@@ -579,9 +621,10 @@ def _motion(found: Mapping[str, Any], duration: float) -> dict[str, Any]:
     }
     absolute = found.get("max_absolute_acceleration")
     in_space = None if absolute is None else np.array(absolute, dtype=float)
-    names = ("kind", "time_at_rest", "stops", "work")
+    names = ("kind", "time_at_rest", "stops", "blows", "work")
     elements = {
-        element["name"]: ElementMotion({name: element[name] for name in names}) for element in found["elements"]
+        element["name"]: ElementMotion({name: element.get(name, 0) for name in names})
+        for element in found["elements"]
     }
     events = found["events"]
     return {
@@ -591,10 +634,14 @@ def _motion(found: Mapping[str, Any], duration: float) -> dict[str, Any]:
         **places,
         **extremes,
         "max_absolute_acceleration": in_space,
-        "elements": elements,
+        "elements": Elements(elements, found.get("units")),
         "event_time": np.array([event["time"] for event in events], dtype=float),
         "event_element": np.array([event["name"] for event in events], dtype=np.str_),
         "event_kind": np.array([event["kind"] for event in events], dtype=np.str_),
+        **{
+            f"event_{name}": np.array([event.get(name, np.nan) for event in events], dtype=float)
+            for name in ("velocity_before", "velocity_after")
+        },
         "load_work": found["load_work"],
         "damper_work": found["damper_work"],
         "stored_energy": found["stored_energy"],

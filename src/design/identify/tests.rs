@@ -194,7 +194,7 @@ fn where_less_than_no_damping_would_fit_friction_alone_is_fitted() {
 fn white_noise_is_refused_and_a_noisy_resonance_is_not() {
     let mut random = Random(9);
     let (mut noise_answered, mut curves_refused) = (0, 0);
-    for i in 0..60u32 {
+    for i in 0..24u32 {
         let count = [8, 15, 30][(i % 3) as usize];
         let mut noise = curve(1.5, 0.02, (1.2, 3.6), count, false);
         for point in &mut noise {
@@ -217,5 +217,5 @@ fn white_noise_is_refused_and_a_noisy_resonance_is_not() {
         curves_refused +=
             u32::from(identify(2.0, Some(8.0), Some(FORCE), &noisy, Reading::default()).is_err());
     }
-    assert!(noise_answered <= 3 && curves_refused <= 1, "{noise_answered} {curves_refused}");
+    assert!(noise_answered <= 1 && curves_refused == 0, "{noise_answered} {curves_refused}");
 }

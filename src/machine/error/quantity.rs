@@ -15,7 +15,7 @@ macro_rules! quantities {
         impl Quantity {
             /// The name with its symbol, as an error has it.
             #[must_use]
-            pub(crate) const fn name(self) -> &'static str {
+            pub const fn name(self) -> &'static str {
                 match self {
                     $(Self::$quantity => $name,)*
                 }

@@ -43,7 +43,8 @@ pub struct Irregular<F> {
 impl<F: Float> Irregular<F> {
     /// Whether neighbouring motions diverge exponentially: the exponent is above four times its standard
     /// error. Otherwise they neither diverge nor approach, as in a quasi-periodic motion.
-    pub(crate) fn is_chaotic(&self) -> bool {
+    #[must_use]
+    pub fn is_chaotic(&self) -> bool {
         self.lyapunov_exponent > F::int(4) * self.lyapunov_exponent_error
     }
 }

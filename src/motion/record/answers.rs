@@ -13,7 +13,7 @@ use crate::float::Float;
 use crate::machine::error::{Error, Quantity, written};
 use crate::machine::excitation::Excitation;
 use crate::machine::ratios::finite;
-use crate::machine::units::Kind;
+use crate::output::Kind;
 
 /// An answer: a number, which may not exist, or a count.
 #[doc(hidden)]

@@ -2,13 +2,9 @@
 
 use super::number::Number;
 use crate::float::Float;
-use crate::machine::error::{Error, Quantity, written};
+use crate::machine::error::{Error, Quantity};
 use crate::machine::oscillator::{Oscillator, critical_damping};
 use crate::machine::ratios::{finite, non_negative, positive, valid_static_friction_ratio};
-use crate::machine::units::InputError;
-use crate::machine::{Given, Input, Role};
-use alloc::format;
-use core::str::FromStr;
 
 /// A body of mass m on a surface with dry friction, which may have a spring k, a damper c, and a constant force p̄:
 /// `m x″ + c x′ + k x + friction = load + p̄`.
@@ -185,73 +181,6 @@ impl<F: Float> Body<F> {
     /// Whether the body never slides backwards.
     pub(crate) const fn is_one_way(&self) -> bool {
         self.is_one_way
-    }
-}
-
-impl<F: Float + FromStr> Body<F> {
-    /// The body of the given inputs: the mass, the friction, and where they are given the spring, the damper, static
-    /// friction and a constant force. With `slope` it lies on a surface that falls in the direction of x by this angle:
-    /// gravity along the slope is a constant force, and a coefficient of friction is of the force across it. A yield
-    /// acceleration, which includes the slope, is in place of the friction.
-    ///
-    /// # Errors
-    /// Where an input is missing, wrong or superfluous: a damping ratio without a spring, an angle beyond ±90°, a yield
-    /// acceleration beside a friction or a slope.
-    #[doc(hidden)]
-    pub fn given(given: &Given<F>, slope: Option<F>) -> Result<Self, InputError> {
-        let wrong = |error: Error| given.at_fault(&error);
-        let mass = given.mass()?;
-        let friction = match given.get(Input::YieldAcceleration) {
-            Some(yields) => {
-                let label = given.label(Input::YieldAcceleration);
-                if let Some((other, _)) = given.one_of(Role::Friction)? {
-                    return Err(InputError(format!("{label}: must be left out with {}", given.label(other))));
-                }
-                if slope.is_some() {
-                    return Err(InputError(format!(
-                        "{label}: must be left out with a slope, which it includes"
-                    )));
-                }
-                let yields = non_negative(Quantity::YieldAcceleration, yields);
-                mass * yields.map_err(|error| InputError(format!("{label}: {error}")))?
-            }
-            None => given.friction()?.ok_or_else(|| given.missing(&Input::of_role(Role::Friction)))?,
-        };
-        let (sine, cosine) = match slope {
-            Some(angle) if angle.abs() < F::pi() * F::ratio(1, 2) => angle.sin_cos(),
-            Some(angle) => {
-                let degrees = written(angle * F::int(180) / F::pi());
-                return Err(InputError(format!("slope = {degrees}°: must be > -90° and < 90°")));
-            }
-            None => (F::int(0), F::int(1)),
-        };
-        let across = if given.has(Input::FrictionCoefficient) { cosine } else { F::int(1) };
-        let mut body = Self::new(mass, friction * across).map_err(wrong)?;
-        if let Some(backward) = given.get(Input::FrictionBackward) {
-            body = body.with_directional_friction(body.friction, backward).map_err(wrong)?;
-        }
-        if let Some(stiffness) = given.stiffness()? {
-            body = body.with_stiffness(stiffness).map_err(wrong)?;
-        }
-        if let Some((input, value)) = given.one_of(Role::Damper)? {
-            let damping = if input == Input::Damping {
-                value
-            } else if body.stiffness > F::int(0) {
-                body.with_damping_ratio(value).map_err(wrong)?.damping
-            } else {
-                return Err(InputError(format!(
-                    "{}: a body without a spring has no critical damping. Give its damping constant",
-                    given.label(input)
-                )));
-            };
-            body = body.with_damping(damping).map_err(wrong)?;
-        }
-        if let Some((input, value)) = given.one_of(Role::StaticFriction)? {
-            let ratio = if input == Input::StaticFriction { value / body.friction } else { value };
-            body = body.with_static_friction_ratio(ratio).map_err(wrong)?;
-        }
-        let along = if slope.is_some() { mass * given.gravity()? * sine } else { F::int(0) };
-        body.with_mean_force(given.get(Input::MeanForce).unwrap_or(F::int(0)) + along).map_err(wrong)
     }
 }
 

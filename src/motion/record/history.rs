@@ -19,6 +19,7 @@ use num_traits::Float as _;
 /// A state of a body under a record.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct RecordState<F> {
     /// Time.
     pub time: F,

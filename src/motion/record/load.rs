@@ -125,7 +125,7 @@ impl<F: Float> Record<F> {
     /// ```
     /// use stickslip::Excitation;
     /// use stickslip::motion::record::{Body, Record};
-    /// let record = Record::from_csv(Excitation::Force, "time,force\n0,0\n0.5,8\n1,-9\n1.5,0\n")?;
+    /// let record = Record::from_text(Excitation::Force, "time,force\n0,0\n0.5,8\n1,-9\n1.5,0\n")?;
     /// let block = Body::new(2.0_f64, 0.7)?.with_stiffness(3.0)?;
     /// assert!(block.follow(&record)?.residual_displacement.is_some());
     /// # Ok::<(), stickslip::Error>(())
@@ -134,7 +134,7 @@ impl<F: Float> Record<F> {
     /// # Errors
     /// [`Error::InSample`] with the number of the row from 0 where a row is not two numbers; else as for
     /// [`Record::at_times`].
-    pub fn from_csv(excitation: Excitation, text: &str) -> Result<Self, Error>
+    pub fn from_text(excitation: Excitation, text: &str) -> Result<Self, Error>
     where
         F: FromStr,
     {
@@ -153,6 +153,29 @@ impl<F: Float> Record<F> {
             samples.push(sample.ok_or_else(|| unread(Quantity::Sample))?);
         }
         Self::at_times(excitation, times, samples)
+    }
+
+    /// A record from a file, or whatever else can be read, with the text that [`Record::from_text`] takes.
+    ///
+    /// ```no_run
+    /// use std::fs::File;
+    /// use stickslip::Excitation;
+    /// use stickslip::motion::record::Record;
+    /// let record: Record<f64> = Record::from_csv(Excitation::SurfaceAcceleration, File::open("quake.csv")?)?;
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Unreadable`] where reading fails, or finds no text; else as for [`Record::from_text`].
+    #[cfg(feature = "std")]
+    pub fn from_csv(excitation: Excitation, mut reader: impl std::io::Read) -> Result<Self, Error>
+    where
+        F: FromStr,
+    {
+        let mut text = alloc::string::String::new();
+        let unreadable = |e: std::io::Error| Error::Unreadable { reason: alloc::format!("{e}").into() };
+        reader.read_to_string(&mut text).map_err(unreadable)?;
+        Self::from_text(excitation, &text)
     }
 
     /// This record with its first sample at a time, all others as long after it as before.

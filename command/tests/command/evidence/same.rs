@@ -4,9 +4,10 @@ use super::file;
 use crate::command_line::json;
 use crate::random::Random;
 use serde_json::{Value, json};
+use stickslip::internal::{ResponseAnswer, Value as Column};
 use stickslip::motion::record::{Body, Entry, Record};
 use stickslip::motion::{LongRun, State, SteadyAnswer};
-use stickslip::{Excitation, Ratios, Response, ResponseAnswer, Value as Column};
+use stickslip::{Excitation, Ratios, Response};
 
 /// A value of the library as JSON.
 fn value(of: Column<f64>) -> Value {

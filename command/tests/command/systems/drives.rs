@@ -102,7 +102,7 @@ fn a_box_passes_the_end_of_its_bed_when_it_is_there_by_hand() {
         assert!((number(&of("levels[2]")["time"]) * by - 1.0).abs() < 1e-14, "{found}");
     }
     for (level, why) in [
-        ("box = -2 m", "is not passed within"),
+        ("box = -2 m", "must be passed within"),
         ("bos = 2 m", "Did you mean box?"),
         ("box = 2 kg", "must be a length"),
         ("box.velocity = 2 m", "must be a velocity"),

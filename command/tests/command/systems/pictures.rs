@@ -90,7 +90,41 @@ fn a_tower_is_drawn_upwards_with_each_storey() {
         assert!(middle - half(&name) > x && middle + half(&name) < x + wide && *at > y && *at < y + high);
         let brace = format!("brace with a long name {}: 40 kN/mm, {} kN", i + 1, 20 + 3 * i);
         assert!(texts.iter().any(|text| text.2 == brace && text.0 + half(&brace) < width), "{brace}");
+        // Masses are in a unit that has a name.
+        let mass = format!("{} kg", 1000 * (20 + i));
+        assert!(texts.iter().any(|text| text.2 == mass && text.1 > y && text.1 < y + high), "{mass}");
     }
+    // The base moves, and the loads of that are its own.
+    let of = |words: &str| texts.iter().filter(|text| text.2.contains(words)).count();
+    assert_eq!((of("ground, moves: 1961.33 mm/s² at 1 Hz"), of(" at 1 Hz")), (1, 1));
+}
+
+#[test]
+fn a_drawing_shows_the_loads_of_each_body_within_it() {
+    let folder = place("drawings-of-loads");
+    std::fs::create_dir(&*folder).unwrap();
+    let (file, drawing) = (folder.join("loads.toml"), folder.join("loads.svg"));
+    let loads = r#"
+[[forces]]
+on = "block"
+constant = "70 N"
+[[forces]]
+on = "roof"
+amplitude = "5 N"
+frequency = "7 Hz"
+[base]
+acceleration = { amplitude = "0.1 g", frequency = "2 Hz" }
+"#;
+    std::fs::write(&file, format!("{MACHINE}{loads}")).unwrap();
+    stdout(&format!("system {} --picture {}", file.display(), drawing.display()));
+    let svg = std::fs::read_to_string(&drawing).unwrap();
+    let texts = texts(&svg);
+    no_text_meets_another(&texts);
+    for due in ["70 N, constant", "1500 N at 3 Hz, 5 N at 7 Hz", "ground, moves: 980.665 mm/s² at 2 Hz"] {
+        assert_eq!(texts.iter().filter(|text| text.2 == due).count(), 1, "{due}: {texts:?}");
+    }
+    // An arrow to both sides beside each load.
+    assert_eq!(svg.matches("h20m-5,-4l5,4l-5,4").count(), 2);
 }
 
 #[test]
@@ -154,6 +188,7 @@ damping = "4 N*s/mm"
         "bearing: 450 N",
         "contacts[2]: 2 N/mm, 5 N",
         "end &lt;stop&gt;: gap 9 mm",
+        "1500 N at 3 Hz",
     ];
     let mut own: Vec<&str> = texts.iter().map(|text| text.2.as_str()).collect();
     let mut due = due.to_vec();

@@ -134,12 +134,12 @@ fn the_two_base_motions_differ_and_say_which_they_are() {
     assert_eq!(foot["physical"]["drive"], "motion of the spring's support over a fixed surface");
     // The old option names state their meaning in every form of answer.
     for (command, option, words) in [
-        ("response", "--base-motion 70mm", "of the spring's support over a fixed surface"),
-        ("response", "--base-acceleration 0.15g", "of a base that carries the surface"),
-        ("steady", "--foot-displacement 70mm", "of the spring's support over a fixed surface"),
-        ("steady", "--base-velocity 0.1m/s", "of a base that carries the surface"),
-        ("design friction", "--base-acceleration 0.15g", "of a base that carries the surface"),
-        ("design dissipation", "--base-motion 70mm", "of the spring's support over a fixed surface"),
+        ("response", "--base-motion 70mm", "the spring's support moves over a fixed surface"),
+        ("response", "--base-acceleration 0.15g", "the base carries the surface"),
+        ("steady", "--foot-displacement 70mm", "the spring's support moves over a fixed surface"),
+        ("steady", "--base-velocity 0.1m/s", "the base carries the surface"),
+        ("design friction", "--base-acceleration 0.15g", "the base carries the surface"),
+        ("design dissipation", "--base-motion 70mm", "the spring's support moves over a fixed surface"),
     ] {
         let machine = if command.starts_with("design") {
             "--mass 800kg --period 2.2s --frequency 2Hz"

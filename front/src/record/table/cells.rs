@@ -2,8 +2,8 @@
 
 use super::super::text;
 use super::clock;
+use crate::inputs::units::{Reader, split};
 use std::borrow::Cow;
-use stickslip::inputs::units::{Reader, split};
 
 /// The sign between the cells of a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

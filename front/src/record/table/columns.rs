@@ -3,9 +3,9 @@
 use super::super::{Options, Unit};
 use super::Known;
 use super::header::{LOADS, Name, Role};
+use crate::inputs::units::Kind;
 use crate::names::is_misspelt;
 use stickslip::Excitation;
-use stickslip::inputs::units::Kind;
 
 /// The columns that are read.
 pub(super) struct Columns {

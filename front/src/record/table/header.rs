@@ -3,9 +3,9 @@
 use super::super::lines::Line;
 use super::super::text;
 use super::cells::{Delimiter, comment};
+use crate::inputs::units::{Kind, Reader};
 use crate::names::name_and_unit;
 use stickslip::Excitation;
-use stickslip::inputs::units::{Kind, Reader};
 
 /// The loads: the name of the column, its synonyms, the kind of its values, and the excitation.
 pub(super) const LOADS: [(&str, &[&str], Kind, Excitation); 4] = [
@@ -270,7 +270,7 @@ pub(super) fn step(line: &str) -> Option<(String, String, bool)> {
         return None;
     }
     let value = value.replace(',', ".");
-    let (digits, own) = stickslip::inputs::units::split(&value);
+    let (digits, own) = crate::inputs::units::split(&value);
     text::number::<f64>(digits).filter(|number| *number > 0.0 && (is_step || is_rate))?;
     let unit = if own.is_empty() { unit.unwrap_or_default() } else { own };
     Some((digits.to_owned(), unit.to_owned(), is_rate))
