@@ -9,7 +9,8 @@ use crate::motion::record::{Body, Record, RecordAnswer, follow_in_balls};
 
 /// The motion under a record from the displacement x and the velocity v, enclosed: the exact motion of every body, record
 /// and start within 64 units in the last place of the numbers given, so that decimal numbers that were read and converted
-/// are among them. Equal samples side by side are one number, and a static friction of exactly the kinetic one stays so.
+/// are among them. Equal samples side by side are one number, and a static friction of exactly the kinetic one stays so. Damping that
+/// is critical within those units is taken as critical.
 ///
 /// Signs are certain: no stop, release or extreme was missed, whatever the rounding. The widths grow with the time
 /// in units of 1/ω, by some 1.4 bits each, so that the computation takes as many bits as it needs, up to 4160. The
@@ -18,7 +19,7 @@ use crate::motion::record::{Body, Record, RecordAnswer, follow_in_balls};
 ///
 /// # Errors
 /// As [`Body::follow_from`], and [`Error::UncertainEvent`] where a sign stays uncertain at the same time with twice the bits, or at the most: the load is at
-/// the bound of friction, the velocity grazes zero, or damping is exactly critical.
+/// the bound of friction, or the velocity grazes zero.
 ///
 /// ```
 /// use stickslip::float::Mp;

@@ -238,6 +238,10 @@ impl<const W: usize> Signed for Ball<W> {
     fn exponential_less_one(self) -> Self {
         self.exp() - Self::int(1)
     }
+
+    fn hyperbolic(self) -> [Self; 2] {
+        Self::hyperbolic(self)
+    }
 }
 
 #[cfg(test)]

@@ -34,6 +34,9 @@ pub trait Signed: Real {
     fn exponential(self) -> Self;
     /// eˣ − 1.
     fn exponential_less_one(self) -> Self;
+    /// `cosh √x` and `sinh √x/√x`, entire functions of x that are `cos √−x` and `sin √−x/√−x` below 0, where the sign of x is
+    /// uncertain. Unknown for floats, among which it is for NaN alone.
+    fn hyperbolic(self) -> [Self; 2];
 }
 
 impl<F: Float> Signed for F {
@@ -60,5 +63,10 @@ impl<F: Float> Signed for F {
     #[inline(always)]
     fn exponential_less_one(self) -> Self {
         self.exp_m1()
+    }
+
+    #[cold]
+    fn hyperbolic(self) -> [Self; 2] {
+        [Self::unknown(); 2]
     }
 }

@@ -343,7 +343,7 @@ pub enum Error {
     },
     /// A motion under a record in which a sign stays uncertain, whatever the bits.
     #[error(
-        "record: whether the body slides or turns after the time {time} is uncertain: the load equals the friction, a velocity grazes zero, or the damping is critical"
+        "record: whether the body slides or turns after the time {time} is uncertain: the load equals the friction, or a velocity grazes zero"
     )]
     UncertainEvent {
         /// The time.

@@ -48,36 +48,3 @@ impl<F: Float> System<F> {
         branches.map(rate).into_iter().fold(F::int(0), |most, rate| if rate <= most { most } else { rate })
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::system::{Element, Harmonic, Kind, Law, Model, Signal, System};
-
-    /// The greatest root of `s² − (c + |slope|) s − k`, or the frequency of the load.
-    #[test]
-    fn the_rate_is_the_greatest_root_by_hand() {
-        for (damping, slope, frequency) in
-            [(0.0, 0.0, 1.0), (50.0, 0.0, 1.0), (2.0, 7.0, 1.0), (0.0, 0.0, 300.0)]
-        {
-            let law = Law { points: vec![(0.0, 1.0), (1.0, 1.0 + 0.1 * slope), (2.0, 1.0 + 1.1 * slope)] };
-            let system = System::new(&Model {
-                mass: vec![vec![1.0]],
-                damping: vec![vec![damping]],
-                stiffness: vec![vec![100.0]],
-                elements: vec![Element {
-                    name: "contact".into(),
-                    direction: vec![1.0],
-                    moves: Signal::constant(0.0),
-                    kind: Kind::Contact { law, peak: 1.0, normal: None },
-                }],
-                harmonics: vec![Harmonic { frequency, sin: vec![1.0], cos: vec![] }],
-                ..Model::default()
-            })
-            .unwrap();
-            let rate = damping + slope;
-            let due = (rate / 2.0 + f64::hypot(rate / 2.0, 10.0)).max(frequency);
-            let found: f64 = system.steps_per_time();
-            assert!((1.0 - 1e-12..1.01).contains(&(found / due)), "{damping} {slope}: {found} {due}");
-        }
-    }
-}

@@ -4,6 +4,7 @@
 //!
 //! Its Ω and α are exact in 24 bits. The values have 25 digits.
 
+use crate::compared::{Origin::AnotherProgram, compared};
 use stickslip::{Float, Output, Ratios, Response};
 
 /// A row: Ω, α and the values by name.
@@ -169,12 +170,9 @@ fn batches_of_every_level() {
         for (row, found) in rows.iter().cycle().zip(column) {
             let expected = row.value(name).unwrap();
             let error = (found - expected).abs() / (row.size(name) * f64::EPSILON);
-            assert!(
-                error <= allowed + 0.5,
-                "{name}, {level:?} at ({}, {}): {error} ulp",
-                row.omega,
-                row.alpha
-            );
+            let (place, room) = ((row.omega, row.alpha), (allowed + 0.5) * row.size(name) * f64::EPSILON);
+            assert!(error <= allowed + 0.5, "{name}, {level:?} at {place:?}: {error} ulp");
+            compared("fn batch::Batch::*", *found, expected, AnotherProgram, room);
         }
     };
     for level in Level::ALL.into_iter().filter(|level| level.is_available()) {
@@ -215,12 +213,12 @@ fn sensitivities_are_the_differences_of_the_exact_motion() {
                 let slope = found.iter().find(|(own, ..)| *own == output(name)).unwrap().2[i];
                 let scale = expected.abs().max(row.size(name) / parameter);
                 let error = (slope - expected).abs() / scale;
-                assert!(
-                    error < 1e-12,
-                    "{column} at ({}, {}): {slope} for {expected}, {error:e}",
-                    row.omega,
-                    row.alpha
-                );
+                let place = (row.omega, row.alpha);
+                assert!(error < 1e-12, "{column} at {place:?}: {slope} for {expected}, {error:e}");
+                for of in ["Sensitivities", "Sensitivity"] {
+                    let output = format!("fn sensitivity::{of}::*");
+                    compared(&output, slope, expected, AnotherProgram, 1e-12 * scale);
+                }
                 seen += 1;
             }
         }

@@ -1,5 +1,7 @@
 //! The closed forms: independent values, any precision, batches, sensitivities, ranges, inverse problems.
 
+#[path = "../compared/mod.rs"]
+mod compared;
 #[path = "../drawn/mod.rs"]
 mod drawn;
 #[path = "../machine_box/mod.rs"]

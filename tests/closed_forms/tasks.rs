@@ -1,5 +1,7 @@
 //! Ten tasks as a user of the library would write them: each in as few lines as a sketch on paper has.
 
+use crate::compared::Origin::ByHand;
+use crate::compared::{compared, near};
 use std::f64::consts::TAU;
 use stickslip::motion::record::{Body, Record};
 use stickslip::{Drive, Error, Excitation, Oscillator, Steady, design};
@@ -22,8 +24,8 @@ fn one_machine() -> Outcome {
     let drive = Drive::force(12.0, TAU)?;
     let steady = Steady::of(&body, &drive)?;
     let (displacement, force) = in_harmonics(&body, &drive);
-    close(steady.max_displacement, displacement, 1e-6);
-    close(steady.max_transmitted_force, force, 1e-4);
+    near("fn Steady::of", steady.max_displacement, displacement, ByHand, 1e-6);
+    near("fn Steady::of", steady.max_transmitted_force, force, ByHand, 1e-4);
     Ok(())
 }
 
@@ -36,7 +38,7 @@ fn a_sweep_over_frequency() -> Outcome {
         .map(|&w| Ok(Steady::of(&body, &drive.at(w)?)?.max_displacement))
         .collect::<Result<_, Error>>()?;
     for (peak, w) in peaks.into_iter().zip(frequencies) {
-        close(peak, in_harmonics(&body, &drive.at(w)?).0, 1e-6);
+        near("fn Steady::of", peak, in_harmonics(&body, &drive.at(w)?).0, ByHand, 1e-6);
     }
     Ok(())
 }
@@ -59,7 +61,8 @@ fn samples_of_a_motion_with_stops() -> Outcome {
         assert!((s.time - steady.period * k as f64 / 2000.0).abs() < 1e-12);
         let (restoring, force) =
             (1000.0 * s.displacement + damping * s.velocity, 12.0 * (2.0 * s.time).sin());
-        assert!((50.0 * s.acceleration + restoring + s.friction - force).abs() < 1e-9, "{s:?}");
+        let inertia = force - restoring - s.friction;
+        compared("fn Steady::samples", 50.0 * s.acceleration, inertia, ByHand, 1e-9);
         assert!(if s.velocity == 0.0 {
             s.friction.abs() <= 5.0 + 1e-9
         } else {

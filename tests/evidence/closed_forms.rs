@@ -7,7 +7,7 @@ use crate::random::Random;
 use crate::sampled::{Cycle, Extreme, Limit, Of};
 use crate::steady::{Expected, Units, equivalent, hold, spring, transmitted};
 use stickslip::internal::{ResponseAnswer, Value};
-use stickslip::{Border, Excitation, Ratios, Response};
+use stickslip::{Border, Excitation, Output, Ratios, Response};
 
 /// The size of the loop in p₀²/(2k) by the samples, at Ω, α and ζ.
 fn loop_size(random: &mut Random, [omega, alpha, zeta]: [f64; 3]) -> Option<(f64, Cycle)> {
@@ -98,6 +98,19 @@ fn expected(name: &str, driven: &Driven, cycle: &Cycle, value: Value<f64>) -> Ex
     }
 }
 
+/// The function of the library that a column is from.
+fn function(name: &str) -> &'static str {
+    match name {
+        "contraction" => "Cycle::contraction",
+        "damper_work" => "Cycle::damper_work",
+        "deviation" => "Cycle::deviation",
+        "loop_size_inertia" => "Cycle::loop_size_inertia",
+        "loop_size_stiffness" => "Cycle::loop_size_stiffness",
+        "reversals_per_cycle" => "Response::reversals_per_cycle",
+        _ => "Response::new",
+    }
+}
+
 /// The border of a machine.
 fn no_stop_above(driven: &Driven) -> f64 {
     Border::of(&driven.ratios()).min_force_ratio
@@ -128,6 +141,11 @@ fn every_column_of_the_closed_forms_is_that_of_the_samples() {
             let is_of_start = driven.eta > 1.0 && cycle.found.rests > 0;
             let response = Response::new(driven.ratios());
             let answer = ResponseAnswer { response: &response, peaks: true };
+            if let Some(guarded) = Response::guarded(driven.ratios()).cycle.filter(|_| !is_of_start) {
+                let value = Value::Number(Some(guarded.max_displacement));
+                let expected = expected("max_displacement", &driven, &cycle, value);
+                failures.extend(hold("fn Response::guarded", value, expected, &driven).err());
+            }
             for column in ResponseAnswer::<f64>::COLUMNS {
                 let name = column.definition.name;
                 let value = (column.of)(&answer);
@@ -135,7 +153,20 @@ fn every_column_of_the_closed_forms_is_that_of_the_samples() {
                     continue;
                 }
                 let expected = expected(name, &driven, &cycle, value);
-                failures.extend(hold(&format!("response {name}"), value, expected, &driven).err());
+                let output = format!("response {name} by {}", function(name));
+                let of_output = Output::ALL.into_iter().find(|output| output.definition().name == name);
+                // The same by its name alone, and among several.
+                if let (Some(output), Value::Number(Some(_)), false) =
+                    (of_output, value, expected.is_elsewhere())
+                {
+                    let one = Value::Number(output.of(&response));
+                    let [of_all, _] = Output::values([output, Output::MinForceRatio], driven.ratios());
+                    failures.extend(hold("fn Output::of", one, expected, &driven).err());
+                    failures.extend(
+                        hold("fn Output::values", Value::Number(Some(of_all)), expected, &driven).err(),
+                    );
+                }
+                failures.extend(hold(&output, value, expected, &driven).err());
             }
         }
         assert!(cycles >= 20, "{excitation:?}: {cycles}");
@@ -173,7 +204,12 @@ fn the_border_is_where_the_samples_begin_to_stop() {
         let above = is_free(&mut random, [omega, least * (1.0 + off), zeta, 1.0], None);
         let below = is_free(&mut random, [omega, least * (1.0 - off), zeta, 1.0], None);
         for of in ["response", "border"] {
-            agreed(&format!("{of} min_force_ratio"), [below, above], [false, true], DenseSamples);
+            agreed(
+                &format!("{of} min_force_ratio by Border::of"),
+                [below, above],
+                [false, true],
+                DenseSamples,
+            );
         }
         // On the border the displacement is the least of a motion without stops.
         let (_, cycle) = loop_size(&mut random, [omega, least * (1.0 + 1e-9), zeta]).unwrap();
@@ -195,7 +231,8 @@ fn no_force_has_a_larger_loop_than_the_best_one() {
         let Some(size) = size else { continue };
         let Some((found, cycle)) = loop_size(&mut random, [omega, best, zeta]) else { continue };
         let is_free = cycle.found.rests == 0 && cycle.found.ends == 2;
-        agreed("response best_force_ratio_slides", response.best_is_reached(), is_free, DenseSamples);
+        let output = "response best_force_ratio_slides by Response::best_is_reached";
+        agreed(output, response.best_is_reached(), is_free, DenseSamples);
         if !is_free {
             continue;
         }

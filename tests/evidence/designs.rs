@@ -7,13 +7,13 @@ use crate::random::Random;
 use crate::sampled::{Cycle, Limit, Load, Machine, Of, positions, record};
 use std::f64::consts::TAU;
 use stickslip::design::{
-    Aim, Holding, Identified, Measurement, OptimumKind, Reading, TurningPoints, bands, bands_without_stop,
-    best_friction_over_band, force_for_displacement, force_for_velocity, force_ratio_for_displacement,
-    force_ratio_for_velocity, forces_without_stop, frequency_bands, frequency_bands_without_stop,
-    holding_frequency, identify, identify_decay, identify_motion, identify_turning_points, max_friction,
-    min_amplitude, most_dissipating_force_ratio, most_dissipating_force_ratio_of_all,
-    most_dissipating_frequency_ratio, most_dissipating_friction, most_dissipating_friction_of_all,
-    most_dissipating_stiffness,
+    Aim, BandFrictionKind, Holding, Identified, Measurement, OptimumKind, Reading, TurningPoints, bands,
+    bands_without_stop, best_friction_over_band, force_for_displacement, force_for_velocity,
+    force_ratio_for_displacement, force_ratio_for_velocity, forces_without_stop, frequency_bands,
+    frequency_bands_without_stop, holding_frequency, identify, identify_decay, identify_motion,
+    identify_turning_points, max_friction, min_amplitude, most_dissipating_force_ratio,
+    most_dissipating_force_ratio_of_all, most_dissipating_frequency_ratio, most_dissipating_friction,
+    most_dissipating_friction_of_all, most_dissipating_stiffness,
 };
 use stickslip::motion::record::Record;
 use stickslip::{Drive, Error, Excitation, Oscillator};
@@ -75,7 +75,8 @@ fn the_least_force_and_the_greatest_friction_divide_the_samples() {
             if name.is_empty() {
                 assert_eq!(found, [false, true], "{driven:?}");
             } else {
-                agreed(&format!("design force {name}"), found, [false, true], DenseSamples);
+                let output = format!("design force {name} by design::min_amplitude");
+                agreed(&output, found, [false, true], DenseSamples);
             }
             let greatest = max_friction(&driven.oscillator(), &driven.drive()).unwrap();
             let with = |friction: f64| {
@@ -83,7 +84,7 @@ fn the_least_force_and_the_greatest_friction_divide_the_samples() {
                 is_free(&Driven { friction, offset, ..driven })
             };
             let found = [with(greatest * (1.0 - 1e-4)), with(greatest * (1.0 + 1e-4))];
-            agreed("design friction friction", found, [true, false], DenseSamples);
+            agreed("design friction friction by design::max_friction", found, [true, false], DenseSamples);
         }
     }
 }
@@ -113,7 +114,12 @@ fn friction_holds_the_samples_up_to_a_frequency() {
         match found {
             Holding::UpTo(frequency) => {
                 let found = [is_held(frequency * (1.0 - 1e-6)), is_held(frequency * (1.0 + 1e-3))];
-                agreed("design hold holding_frequency", found, [true, false], DenseSamples);
+                agreed(
+                    "design hold holding_frequency by design::holding_frequency",
+                    found,
+                    [true, false],
+                    DenseSamples,
+                );
                 agreed("design hold holds", found, [true, false], DenseSamples);
                 counts[0] += 1;
             }
@@ -164,7 +170,8 @@ fn bands_end_where_the_samples_begin_to_stop() {
                 for name in
                     [format!("omega_{}", which[0]), format!("frequency_{}", which[0]), which[1].to_owned()]
                 {
-                    agreed(&format!("design bands {name}"), divides, ((0, 2), false), DenseSamples);
+                    let output = format!("design bands {name} by design::frequency_bands");
+                    agreed(&output, divides, ((0, 2), false), DenseSamples);
                 }
             }
         }
@@ -186,7 +193,8 @@ fn bands_end_where_the_samples_begin_to_stop() {
         assert!((band.low * 5.0 - same.low).abs() < 1e-8 && (band.high * 5.0 - same.high).abs() < 1e-8);
         let middle = counts(&of((band.low * band.high).sqrt(), 0.0, 80.0));
         let reversals = band.reversals_per_cycle;
-        agreed("design bands reversals_per_cycle", (0, reversals.into()), middle, DenseSamples);
+        let output = "design bands reversals_per_cycle by design::frequency_bands_without_stop";
+        agreed(output, (0, reversals.into()), middle, DenseSamples);
     }
     let forces = forces_without_stop(&body, 5.0 * 0.331).unwrap();
     for (low, high) in forces.intervals() {
@@ -194,7 +202,8 @@ fn bands_end_where_the_samples_begin_to_stop() {
         let inside = with(high.map_or(1.1 * low, |high| (low * high).sqrt()));
         let stops = [with(low * (1.0 - 1e-3)) == 0, inside == 0];
         for name in ["no_stop_forces", "no_stop_force_ratios"] {
-            agreed(&format!("design force --no-stop {name}"), stops, [false, true], DenseSamples);
+            let output = format!("design force --no-stop {name} by design::forces_without_stop");
+            agreed(&output, stops, [false, true], DenseSamples);
         }
     }
 }
@@ -234,7 +243,9 @@ fn the_force_for_a_target_reaches_it() {
             let Some(cycle) = cycle(&Driven { amplitude: force, ..driven }, 3000) else { continue };
             found += 1;
             let reached = cycle.found.most(of).value - if of == Of::Displacement { mean } else { 0.0 };
-            near("design displacement, velocity force", target, reached, DenseSamples, 1e-8);
+            let function = if of == Of::Displacement { "displacement" } else { "velocity" };
+            let output = format!("design displacement, velocity force by design::force_for_{function}");
+            near(&output, target, reached, DenseSamples, 1e-8);
             assert!((force / driven.friction / ratio - 1.0).abs() < 1e-9, "{driven:?}: {force} {ratio}");
             near("design displacement, velocity force_ratio", target, reached, DenseSamples, 1e-8);
         }
@@ -258,7 +269,7 @@ fn no_other_machine_dissipates_more() {
         let with = |friction: f64| Driven { friction, ..driven };
         let value = friction_work(&with(best.at * (1.0 - 1e-9)));
         let of = |name: &str| format!("design dissipation {name}");
-        near(&of("energy"), best.value, value, DenseSamples, 1e-6);
+        near(&of("energy by design::most_dissipating_friction"), best.value, value, DenseSamples, 1e-6);
         let is_less = [0.5, 0.8, 0.95, 1.05, 1.3].map(|by| {
             let other = with(best.at * by);
             !is_free(&other) || friction_work(&other) < best.value
@@ -282,7 +293,8 @@ fn no_other_machine_dissipates_more() {
             let inside = if best.kind == OptimumKind::Border { 1e-7 } else { 0.0 };
             let value = [1.0 - inside, 1.0 + inside].map(|by| friction_work(&with(best.at * by))).into_iter();
             let value = value.fold(0.0, f64::max);
-            near("design stiffness energy", best.value, value, DenseSamples, 1e-4);
+            let output = "design stiffness energy by design::most_dissipating_stiffness";
+            near(output, best.value, value, DenseSamples, 1e-4);
             let is_less: [bool; 12] = std::array::from_fn(|by| {
                 let other = with(soft * (hard / soft).powf(by as f64 / 11.0));
                 !is_free(&other) || friction_work(&other) < best.value * (1.0 + 1e-7)
@@ -321,7 +333,8 @@ fn no_other_friction_dissipates_more_with_stops() {
     let best = most_dissipating_friction_of_all(&driven.oscillator(), &driven.drive(), 1e-4).unwrap();
     let value = friction_work(&Driven { friction: best.at, ..driven });
     let of = |name: &str| format!("design dissipation --sticking {name}");
-    near(&of("energy"), best.value, value, DenseSamples, 1e-7);
+    let output = of("energy by design::most_dissipating_friction_of_all");
+    near(&output, best.value, value, DenseSamples, 1e-7);
     let omega = 1.7 / 5.0;
     let ratio = most_dissipating_force_ratio_of_all(omega, 0.4 / 20.0, 1e-4).unwrap();
     assert!((30.0 / ratio.at / best.at - 1.0).abs() < 1e-6, "{ratio:?} {best:?}");
@@ -374,11 +387,35 @@ fn no_other_friction_has_a_lower_crest() {
             assert!(crest((best.friction * end).sqrt()) <= best.greatest * (1.0 + 1e-6), "{aim:?} {best:?}");
             assert!(end < best.rest || crest(2.0 * end) <= best.greatest * (1.0 + 1e-6), "{aim:?} {best:?}");
         }
+        // Of the frictions with this crest the greatest one: one between has it, too, and twice as much has a higher one or rest.
+        let end = best.up_to.unwrap_or(best.friction);
+        let as_low = [(best.friction * end).sqrt(), end]
+            .map(|friction| crest(friction) <= best.greatest * (1.0 + 1e-6));
+        let is_all = end >= best.rest * (1.0 - 1e-9) || crest(2.0 * end) > best.greatest * (1.0 + 1e-6);
+        agreed(&of_band("greatest_friction"), (as_low, is_all), ([true; 2], true), DenseSamples);
+        // Inside: the body slides somewhere over the band, and with hardly any friction the crest is higher.
+        let slides = (0..60).any(|i| {
+            let driven = Driven {
+                friction: best.friction,
+                frequency: low * (high / low).powf(f64::from(i) / 59.0),
+                ..driven
+            };
+            matches!(driven.harmonic().limit([0.0, 0.0], 0.0, 1500), Limit::Periodic(_))
+        });
+        let is_interior = best.kind == BandFrictionKind::Interior;
+        let of_samples = slides && crest(1e-3 * best.friction) > best.greatest;
+        agreed(&of_band("optimum"), is_interior, of_samples, DenseSamples);
         let at = best.at.iter().filter_map(|(from, to)| amplitude(best.friction, (from * to).sqrt()));
         let at: Vec<f64> = at.collect();
         assert!(!at.is_empty(), "{aim:?} {best:?}");
         for at in at {
-            near(&of_band("greatest"), best.greatest, at, DenseSamples, 1e-5);
+            near(
+                &of_band("greatest by design::best_friction_over_band"),
+                best.greatest,
+                at,
+                DenseSamples,
+                1e-5,
+            );
             near(&of_band("at_frequencies"), best.greatest, at, DenseSamples, 1e-5);
         }
         let is_more =
@@ -417,7 +454,8 @@ fn friction_and_damping_of_the_samples_are_identified() {
             })
             .collect();
         let exact = identify(mass, Some(stiffness), Some(force), &curve, Reading::default()).unwrap();
-        near("identify friction", exact.friction_bound.value, friction, DenseSamples, 1e-4);
+        let output = "identify friction by design::identify";
+        near(output, exact.friction_bound.value, friction, DenseSamples, 1e-4);
         near("identify damping_ratio", exact.damping_ratio.value, zeta, DenseSamples, 1e-3);
         let noisy: Vec<_> = curve
             .iter()
@@ -514,7 +552,8 @@ fn friction_and_damping_of_a_decay_are_identified() {
         let (times, places): (Vec<f64>, Vec<f64>) = turns.iter().map(|[t, x]| (*t, *x)).unzip();
         let exact = identify_turning_points(&places, Some(&times), TurningPoints::EveryHalfCycle).unwrap();
         let of = |name: &str| format!("identify --decay {name}");
-        near(&of("friction_displacement"), exact.friction_displacement.value, 1.0, DenseSamples, 1e-6);
+        let output = of("friction_displacement by design::identify_turning_points");
+        near(&output, exact.friction_displacement.value, 1.0, DenseSamples, 1e-6);
         compared(&of("damping_ratio"), exact.damping_ratio.value, zeta, DenseSamples, 1e-7);
         near(&of("amplitude"), exact.amplitude.value, start[0], DenseSamples, 1e-7);
         near(&of("natural_frequency"), exact.natural_frequency.unwrap().value, 1.0, DenseSamples, 1e-6);
@@ -543,8 +582,9 @@ fn friction_and_damping_of_a_decay_are_identified() {
             follower.advance(&mut None);
         }
         let exact = identify_decay(&at, &x).unwrap();
-        assert!((exact.friction_displacement.value - 1.0).abs() < 0.02, "{zeta} {exact:?}");
-        assert!((exact.damping_ratio.value - zeta).abs() < 0.002, "{zeta} {exact:?}");
+        let output = "fn design::identify_decay";
+        compared(output, exact.friction_displacement.value, 1.0, DenseSamples, 0.02);
+        compared(output, exact.damping_ratio.value, zeta, DenseSamples, 0.002);
     }
     assert!(covered * 10 >= all * 8, "{covered} of {all}");
 }
@@ -599,7 +639,8 @@ fn friction_and_damping_of_a_motion_of_the_samples_are_identified() {
                 for (name, estimate, truth, scale) in truths {
                     let Some(estimate) = estimate else { continue };
                     if noise == 0.0 {
-                        compared(&of(name), estimate.value, truth, DenseSamples, 1e-6 * scale);
+                        let output = format!("{} by design::identify_motion", of(name));
+                        compared(&output, estimate.value, truth, DenseSamples, 1e-6 * scale);
                         continue;
                     }
                     let (low, high) = estimate.interval();

@@ -1,7 +1,8 @@
 //! Guaranteed digits beside motions at 40 digits by another program, tests/data/enclosed.py: every ball contains its
 //! reference.
 
-use crate::compared::{Origin::AnotherProgram, recorded};
+use crate::compared::Origin::{self, AnotherProgram};
+use crate::compared::recorded;
 use serde_json::Value;
 use stickslip::enclosed::{self, Enclosure, Known};
 use stickslip::float::Mp;
@@ -20,8 +21,12 @@ fn number<const N: usize>(value: &Value) -> Mp<N> {
     Mp::from(value.as_f64().unwrap())
 }
 
-/// Holds a ball against 40 digits: it contains them, or misses them by their own rounding only.
+/// Holds a ball against 40 digits of another program: it contains them, or misses them by their own rounding only.
 fn hold(of: &str, name: &str, ball: &Enclosure, digits: &Value, case: &Value) {
+    hold_against(AnotherProgram, of, name, ball, digits, case);
+}
+
+fn hold_against(origin: Origin, of: &str, name: &str, ball: &Enclosure, digits: &Value, case: &Value) {
     let reference: Mp<4> = digits.as_str().unwrap().parse().unwrap();
     let middle = Mp::<4>::from(&ball.mid);
     let rad = Mp::<4>::from(&ball.rad);
@@ -29,7 +34,12 @@ fn hold(of: &str, name: &str, ball: &Enclosure, digits: &Value, case: &Value) {
     let off = (reference - middle).abs();
     assert!(off <= room, "{name}: {ball} and {digits} of {case}");
     assert!(rad <= (reference.abs() + Mp::from(1e-3)) * Mp::from(1e-12), "{name}: ± {rad} of {case}");
-    recorded(&format!("--enclose {of}"), &ball.to_string(), digits, AnotherProgram, 0.0);
+    let function = match of {
+        "record" => "follow",
+        "steady" => "KnownRatios::steady",
+        _ => "KnownRatios::response, enclosed::Response::get",
+    };
+    recorded(&format!("--enclose {of} by enclosed::{function}"), &ball.to_string(), digits, origin, 0.0);
 }
 
 #[test]
@@ -72,6 +82,114 @@ fn records_contain_their_references() {
     }
     // A start exactly on a bound, or an extreme that is reached twice, is undecided.
     assert!(unproved * 10 < all.len() && answers > 4000, "{unproved} {answers}");
+}
+
+/// A slide of a critically damped body, in closed form: `x = L + (A + Bt)e^{−βt}`.
+struct Critical {
+    limit: Mp<17>,
+    a: Mp<17>,
+    b: Mp<17>,
+    beta: Mp<17>,
+}
+
+impl Critical {
+    fn new([x, v, limit, beta]: [Mp<17>; 4]) -> Self {
+        let a = x - limit;
+        Self { limit, a, b: v + beta * a, beta }
+    }
+
+    fn at(&self, t: Mp<17>) -> [Mp<17>; 2] {
+        let (decay, line) = (stickslip::Float::exp(-(self.beta * t)), self.a + self.b * t);
+        [self.limit + line * decay, (self.b - self.beta * line) * decay]
+    }
+}
+
+/// A critically damped body under a constant force and after it, with and without friction: it never stops while the force
+/// lasts; after it friction stops it once, where the velocity `(v − βBt)e^{−βt}` is zero, and the spring may draw it back
+/// towards the edge of its places of rest.
+#[test]
+fn critically_damped_bodies_contain_closed_forms() {
+    let mut back = 0;
+    for ([m, k, c], r, p, span) in [
+        ([2.0, 50.0, 20.0], 3.0, 8.0, 0.25),
+        ([2.0, 50.0, 20.0], 3.0, 20.0, 0.5),
+        ([1.0, 4.0, 4.0], 0.0, 3.0, 7.0),
+        ([0.5, 8.0, 4.0], 0.25, 6.0, 2.0),
+        ([0.5, 8.0, 4.0], 0.25, 0.5, 0.125),
+    ] {
+        let number = |x: f64| Mp::<17>::from(x);
+        let body = Body::new(number(m), number(r)).unwrap();
+        let body = body.with_stiffness(number(k)).unwrap().with_damping(number(c)).unwrap();
+        let record = Record::new(Excitation::Force, number(span), vec![number(p); 2]).unwrap();
+        let found = enclosed::follow(&body, &record, Mp::ZERO, Mp::ZERO, 64).unwrap();
+        let [stiffness, friction, force, time] = [k, r, p, span].map(number);
+        let beta = number(c / (2.0 * m));
+        let first = Critical::new([Mp::ZERO, Mp::ZERO, (force - friction) / stiffness, beta]);
+        let [x, v] = first.at(time);
+        let second = Critical::new([x, v, -friction / stiffness, beta]);
+        let stop = v / (beta * second.b);
+        // Without friction, too: the velocity has a zero where B > 0.
+        let [most, _] = second.at(stop);
+        let returns = stiffness * most > friction;
+        back += u32::from(returns);
+        let rest = if returns { friction / stiffness } else { most };
+        let case = Value::String(format!("{m} {k} {c} {r} {p} {span}"));
+        let text = |x: Mp<17>| Value::String(x.to_string());
+        for (name, due) in [
+            ("end_displacement", x),
+            ("end_velocity", v),
+            ("max_displacement", most),
+            ("residual_displacement", rest),
+            ("path", most + (most - rest)),
+        ] {
+            let entry = found.entries().into_iter().find(|(other, ..)| *other == name).unwrap().2;
+            let Entry::Value(Some(ball)) = entry else { panic!("{name} of {case}") };
+            hold_against(Origin::ByHand, "record", name, ball, &text(due), &case);
+        }
+    }
+    assert_eq!(back, 3);
+}
+
+/// Damping ratios on both sides of 1: intervals of them hold the samples of those in them.
+#[test]
+fn intervals_about_critical_damping_hold_the_samples() {
+    use crate::compared::{Origin::DenseSamples, agreed};
+    use crate::sampled::{Harmonic, Limit, Load, Machine, Of};
+    let text = |x: &str| x.parse::<Known>().unwrap();
+    for (omega, alpha, is_free, off) in
+        [("0.7", "9", true, 5e-3), ("1.5", "6", true, 5e-3), ("0.7", "2", false, 1e-4)]
+    {
+        let [low, high] = [1.0 - off, 1.0 + off].map(|zeta| text(&zeta.to_string()));
+        let zeta = Known::between(&low, &high).unwrap();
+        let of =
+            enclosed::KnownRatios::new(&text(omega)).with_force_ratio(&text(alpha)).with_damping_ratio(&zeta);
+        let [displacement, velocity] = if is_free {
+            let found = of.response(64).unwrap();
+            [Output::MaxDisplacement, Output::MaxVelocity].map(|output| found.get(output).unwrap().clone())
+        } else {
+            let found = of.steady(64).unwrap().unwrap();
+            [found.max_displacement, found.max_velocity]
+        };
+        let mut seen = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
+        for zeta in [-1.0, -0.4, 0.0, 0.2, 1.0].map(|part| 1.0 + part * off) {
+            let (omega, alpha) = (omega.parse::<f64>().unwrap(), alpha.parse().unwrap());
+            let machine = Machine::new([1.0, 1.0, 2.0 * zeta], [1.0, 0.0, 1.0], 0.0);
+            let harmonic = Harmonic { machine, load: Load::Force, amplitude: alpha, frequency: omega };
+            let Limit::Periodic(cycle) = harmonic.limit([0.0, 0.0], 0.0, 2000) else { panic!("{zeta}") };
+            let found =
+                [cycle.found.most(Of::Displacement).value, cycle.found.most(Of::Velocity).value / omega];
+            for (seen, value) in seen.iter_mut().zip(found) {
+                *seen = [seen[0].min(value), seen[1].max(value)];
+            }
+        }
+        for (ball, [least, most]) in [displacement, velocity].into_iter().zip(seen) {
+            let (middle, reach) = (ball.mid.to_f64(), ball.rad.to_f64());
+            let of = if is_free { "response" } else { "steady" };
+            let holds = middle - reach <= least + 1e-9 && most - 1e-9 <= middle + reach;
+            agreed(&format!("--enclose {of}"), holds, true, DenseSamples);
+            assert!(reach < 50.0 * off * middle, "{omega} {alpha}: {reach} for {least} to {most}");
+        }
+    }
 }
 
 fn known(value: &Value) -> Known {

@@ -130,7 +130,9 @@ fn floor_spectra_are_those_of_the_sampled_motion() {
                     ("pseudo_acceleration", response.pseudo_acceleration, square * y),
                     ("max_absolute_acceleration", response.max_absolute_acceleration, a),
                 ] {
-                    near(&format!("record --floor-spectrum {name}"), found, expected, DenseSamples, 1e-8);
+                    let output =
+                        format!("record --floor-spectrum {name} by motion::record::Body::floor_spectrum");
+                    near(&output, found, expected, DenseSamples, 1e-8);
                 }
                 compared += 1;
             }

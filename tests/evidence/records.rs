@@ -228,7 +228,7 @@ fn expected(name: &str, shaken: &Shaken, recorded: &Recorded) -> Expected {
 
 /// Records an answer that is that of the samples.
 fn keep(name: &str, value: &Entry<'_, f64>, expected: &Expected) {
-    let output = format!("record {name}");
+    let output = format!("record {name} by motion::record::Body::follow_from");
     match (value, expected) {
         (
             Entry::Value(Some(found)),
@@ -284,7 +284,7 @@ fn off(value: &Entry<'_, f64>, expected: &Expected) -> Option<String> {
 fn every_answer_under_a_record_is_that_of_the_samples() {
     let mut random = Random(21);
     let mut failures: std::collections::BTreeMap<String, (u32, String)> = std::collections::BTreeMap::new();
-    let mut compared = 0;
+    let mut count = 0;
     for excitation in RECORDS {
         for _ in 0..60 {
             let shaken = Shaken::any(&mut random, excitation);
@@ -292,8 +292,14 @@ fn every_answer_under_a_record_is_that_of_the_samples() {
             if !found.is_over {
                 continue;
             }
-            compared += 1;
+            count += 1;
             let answer = shaken.followed();
+            if shaken.start == [0.0; 2] {
+                let from_rest = shaken.body().follow(&shaken.record()).unwrap();
+                let x = found.found.greatest(Of::Displacement).value;
+                let output = "fn motion::record::Body::follow";
+                compared(output, from_rest.end_displacement, found.end[0], DenseSamples, 1e-9 * x);
+            }
             for (name, _, value) in answer.entries() {
                 let reference = expected(name, &shaken, &found);
                 if let Some(text) = off(&value, &reference) {
@@ -318,7 +324,7 @@ fn every_answer_under_a_record_is_that_of_the_samples() {
     let texts: Vec<_> =
         failures.iter().map(|(name, (n, text))| format!("{name}, {n} times: {text}")).collect();
     assert!(texts.is_empty(), "{}", texts.join("\n"));
-    assert!(compared > 200, "{compared}");
+    assert!(count > 200, "{count}");
 }
 
 /// The accelerations and forces of a body at a place and a velocity of the samples, under a value of the record before this
@@ -405,7 +411,13 @@ fn states_and_events_are_those_of_the_samples() {
                 if state.direction == 0 || end[1].abs() > 1e-9 * v {
                     compared(&of("direction"), state.direction.into(), sign, DenseSamples, 0.0);
                 }
-                compared(&of("displacement"), state.displacement, end[0], DenseSamples, 1e-9 * x);
+                compared(
+                    &of("displacement by motion::record::Body::motion"),
+                    state.displacement,
+                    end[0],
+                    DenseSamples,
+                    1e-9 * x,
+                );
                 compared(&of("velocity"), state.velocity, end[1], DenseSamples, 1e-9 * v);
                 states += 1;
                 // At the end of the record the load is already the one after it.

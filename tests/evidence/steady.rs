@@ -6,6 +6,7 @@ use crate::random::Random;
 use crate::sampled::{Cycle, Extreme, Limit, Load, Of};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
+use std::ops::ControlFlow;
 use stickslip::Excitation;
 use stickslip::internal::{Value, observed};
 use stickslip::motion::{LongRun, State, SteadyAnswer, SteadyState};
@@ -32,6 +33,12 @@ pub(crate) enum Expected {
     AtMost(f64),
     /// A number or its negative, and the difference that is allowed.
     Either(f64, f64),
+}
+
+impl Expected {
+    pub(crate) const fn is_elsewhere(&self) -> bool {
+        matches!(self, Self::Elsewhere)
+    }
 }
 
 /// Holds a value of the library beside that of the samples, and records it as this output.
@@ -319,6 +326,18 @@ fn expected(
     }
 }
 
+/// The function of the library that a column is from.
+fn function(name: &str) -> &'static str {
+    match name {
+        "error_1" | "error_2" | "error_3" | "error_4" => "motion::SteadyState::errors",
+        "max_acceleration" | "transmitted_force" | "max_absolute_displacement" | "max_spring_force" => {
+            "motion::SteadyState::peaks"
+        }
+        "limit" => "motion::LongRun::from_start",
+        _ => "motion::LongRun::steady_state",
+    }
+}
+
 /// Every column of the steady state of machines under every drive: with dampers, static friction, friction by
 /// direction and a constant force.
 #[test]
@@ -340,11 +359,24 @@ fn every_column_of_the_steady_state_is_that_of_the_samples() {
             compared += 1;
             let answer = SteadyAnswer::new(driven.ratios(), &limit, true).unwrap();
             assert!(!observed(driven.ratios(), &limit).by_border, "{driven:?}");
+            let (found, units, mean) = (&cycle.found, Units::of(&driven), harmonic.mean());
+            let [high, low] = [found.most(Of::Displacement), found.least(Of::Displacement)]
+                .map(|extreme| (extreme.value - mean) / units.length);
+            let room = 1e-9 * (high - low);
+            let within =
+                LongRun::within(driven.ratios(), State::default(), 20_000, &mut || ControlFlow::Continue(()));
+            for (function, limit) in [("extrema", &limit), ("within", &within.unwrap())] {
+                let (least, most) = limit.extrema().unwrap();
+                let of = format!("fn motion::LongRun::{function}");
+                crate::compared::compared(&of, most, high, DenseSamples, room);
+                crate::compared::compared(&of, least, low, DenseSamples, room);
+            }
             for column in SteadyAnswer::<f64>::COLUMNS {
                 let name = column.definition.name;
                 let value = (column.of)(&answer);
                 let expected = expected(name, &driven, &cycle, steady, value);
-                if let Err(text) = hold(&format!("steady {name}"), value, expected, &driven) {
+                let output = format!("steady {name} by {}", function(name));
+                if let Err(text) = hold(&output, value, expected, &driven) {
                     let entry = failures.entry(format!("{name} {excitation:?}")).or_insert((0, text));
                     entry.0 += 1;
                 }

@@ -2,6 +2,7 @@
 
 use crate::cases::{cases, list};
 use crate::closed_form::one_body;
+use crate::compared::{Origin::AnotherProgram, compared};
 use stickslip::system::{Error, State, System, solve_each};
 
 /// The steady motions of another program, all at once: their greatest displacements and velocities.
@@ -16,7 +17,7 @@ fn all_at_once_have_the_answers_of_others() {
         let due = list(&case.answer["max"]);
         let size = due.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
         for (ours, other) in motion.max_displacement.iter().chain(&motion.max_velocity).zip(due) {
-            assert!((ours - other).abs() <= 1e-8 * size, "{}: {ours} for {other}", case.name);
+            compared("fn system::solve_each", *ours, other, AnotherProgram, 1e-8 * size);
         }
     }
 }

@@ -23,6 +23,7 @@ mod one_body;
 #[cfg(feature = "mp")]
 mod precise;
 mod random;
+mod rate;
 mod references;
 mod self_excited;
 mod sliding;

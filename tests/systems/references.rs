@@ -1,6 +1,7 @@
 //! Independent values of transient motions and of steady ones.
 
 use crate::cases::{Case, cases, list, number, start};
+use crate::compared::{Origin::AnotherProgram, compared};
 use stickslip::system::{Motion, State, System};
 
 /// The largest difference of two lists, relative to the largest value.
@@ -40,6 +41,20 @@ fn transient_motions() {
         let times = events(&case, &motion, 0.0);
         // The falling law of the table lets rounding grow by some 10⁵ after the release.
         assert!(times < 1e-10, "{}: event times by {times:e}", case.name);
+        let instants = system.states(&start(&case), &[until]).expect(&case.name);
+        for (name, ours, at) in [
+            ("displacement", &motion.end.displacement, &instants[0].displacement),
+            ("velocity", &motion.end.velocity, &instants[0].velocity),
+        ] {
+            let due = list(&case.answer[name]);
+            let size = due.iter().fold(1e-20, |most: f64, x| most.max(x.abs()));
+            for (function, found) in [("simulate", ours), ("states", at)] {
+                for (found, due) in found.iter().zip(&due) {
+                    let output = format!("fn system::System::{function}");
+                    compared(&output, *found, *due, AnotherProgram, 1e-10 * size);
+                }
+            }
+        }
         for (name, seen) in [("displacement", &motion.end.displacement), ("velocity", &motion.end.velocity)] {
             let by = difference(seen, &list(&case.answer[name]));
             let still = list(&case.answer[name]).iter().all(|x| x.abs() < 1e-30);
@@ -75,6 +90,7 @@ fn steady_motions() {
         let at_rest: Vec<f64> = motion.elements.iter().map(|e| e.time_at_rest).collect();
         let rests = difference(&at_rest, &list(&case.answer["at_rest"]));
         let allowed = if case.answer["periods_from_rest"].as_u64() > Some(250) { 1e-8 } else { 1e-10 };
+        compared("fn system::System::steady", by, 0.0, AnotherProgram, allowed);
         assert!(
             by < allowed && times < allowed && rests < allowed,
             "{}: {by:e} {times:e} {rests:e}",

@@ -1,5 +1,7 @@
 //! Steady sliding on travelling sides, beside closed forms and the roots that another program found.
 
+use crate::compared::Origin::{AnotherProgram, ByHand};
+use crate::compared::near;
 use crate::generator::Random;
 use stickslip::system::{Element, Kind, Law, Model, Normal, Signal, State, System};
 
@@ -50,10 +52,10 @@ fn two_modes_couple() {
     ] {
         let system = squeal(coefficient, 0.02);
         for (own, due) in system.natural_frequencies(&[]).into_iter().zip(frequencies) {
-            close(own, due, 1e-8);
+            near("fn system::System::natural_frequencies", own, due, AnotherProgram, 1e-8);
         }
         let found = system.sliding().unwrap();
-        close(found.growth, growth, 1e-9);
+        near("fn system::System::sliding", found.growth, growth, AnotherProgram, 1e-9);
         let threshold = found.threshold.unwrap();
         close(threshold.factor * coefficient, 0.833_733_333_333_333, 1e-12);
         close(threshold.frequency, 2.449_489_742_783, 1e-9);
@@ -117,7 +119,7 @@ fn the_minimal_model_of_mode_coupling() {
         let mu = 0.5 * found.factor;
         let first = if found.frequency > 0.0 { &of_flutter as &dyn Fn(f64) -> f64 } else { &of_divergence };
         let zero = -first(0.0) / (first(mu) - first(0.0)) * mu;
-        close(mu, zero, if is_damped { 1e-9 } else { 1e-8 });
+        near("fn system::System::sliding", mu, zero, ByHand, if is_damped { 1e-9 } else { 1e-8 });
         for at in [of_flutter(0.999 * mu), of_divergence(0.999 * mu)] {
             assert!(at > 0.0, "{i} {mu}");
         }

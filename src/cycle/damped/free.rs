@@ -102,7 +102,7 @@ impl<F: Field> Free<F> {
 }
 
 impl<N: Signed> Free<N> {
-    /// Both waves at t ≥ 0; unknown where the sign of 1 − ζ is.
+    /// Both waves at t ≥ 0.
     #[inline]
     pub(crate) fn waves(&self, t: N) -> Waves<N> {
         match self.square.positive() {
@@ -111,8 +111,16 @@ impl<N: Signed> Free<N> {
                 Waves { cosine: decay * c, sine: decay * (s / self.frequency) }
             }
             Some(false) => self.decaying(t),
-            None => Waves { cosine: N::unknown(), sine: N::unknown() },
+            None => self.about_one(t),
         }
+    }
+
+    /// Both waves where the sign of 1 − ζ is uncertain, by entire functions of 1 − ζ².
+    #[cold]
+    fn about_one(&self, t: N) -> Waves<N> {
+        let decay = (-(self.zeta * t)).exponential();
+        let [cosine, sine] = (-(self.square * t.square())).hyperbolic();
+        Waves { cosine: decay * cosine, sine: decay * (t * sine) }
     }
 
     /// Both waves at t ≥ 0 from ζ = 1 on.
@@ -129,7 +137,7 @@ impl<N: Signed> Free<N> {
                 let decay = (-t).exponential();
                 Waves { cosine: decay, sine: decay * t }
             }
-            None => Waves { cosine: N::unknown(), sine: N::unknown() },
+            None => self.about_one(t),
         }
     }
 }

@@ -14,7 +14,6 @@ use crate::enclosed::root::only_zero;
 use crate::float::ball::Ball;
 use crate::float::{Field, Real};
 use crate::root::newton_within;
-use core::cmp::Ordering;
 use rug::Integer;
 
 /// The greatest number of zeros of p that are examined.
@@ -49,15 +48,11 @@ pub(in crate::enclosed) fn border<const W: usize>(half: &HalfPeriod<Ball<W>>) ->
 
 /// All maxima of ρ that may exceed `least`; `None` where they are undecided.
 fn touches<const W: usize>(half: &HalfPeriod<Ball<W>>, least: Ball<W>) -> Option<Vec<Touch<W>>> {
-    let d = half.free.frequency;
-    // Above ζ = 1, and for Ω ≥ d/2, the turning point suffices.
-    match half.free.square.sign()? {
-        Ordering::Less | Ordering::Equal => return Some(Vec::new()),
-        Ordering::Greater if (half.omega * Ball::int(2) - d).sign()? != Ordering::Less => {
-            return Some(Vec::new());
-        }
-        Ordering::Greater => {}
+    // Above ζ = 1, and for Ω ≥ d/2, the turning point suffices: for 4Ω² ≥ d² = 1 − ζ².
+    if !crate::float::Signed::negative((half.omega * Ball::int(2)).square() - half.free.square)? {
+        return Some(Vec::new());
     }
+    let d = half.free.frequency;
     let (first, _) = zeros(half, NearerEnd::First, &half.at(Ball::int(0)).free)?;
     let zero = |n: i32| first + Ball::int(n) * Ball::pi() / d;
     let last = last_zero(half, first)?;

@@ -1,8 +1,8 @@
 //! π, the circular functions and the exponential function.
 
 use super::{Ball, Radius, bound, half_unit};
-use crate::float::Real;
 use crate::float::mp::Mp;
+use crate::float::{Field, Float, Real};
 
 impl<const LIMBS: usize> Real for Ball<LIMBS> {
     fn pi() -> Self {
@@ -116,6 +116,29 @@ impl<const LIMBS: usize> Ball<LIMBS> {
     #[inline(never)]
     fn odd_rounding(self, value: Mp<LIMBS>) -> Radius {
         if self.mid.is_zero() && value.is_zero() { Radius::ZERO } else { half_unit(value) }
+    }
+
+    /// `cosh √x` and `sinh √x/√x` by their series `Σ xⁿ/(2n)!` and `Σ xⁿ/(2n + 1)!`. From a term on that is twice the next one at
+    /// least, those left out are together no larger than it.
+    #[must_use]
+    pub(crate) fn hyperbolic(self) -> [Self; 2] {
+        let (mut terms, size) = ([Self::int(1); 2], self.abs().upper());
+        let (mut sums, mut even) = (terms, 0i32);
+        // Beyond, sums of numbers of this size are of no use.
+        while size <= Mp::of_int(1 << 16) && even < 1 << 12 {
+            let [one, two, three] = [1, 2, 3].map(|more| Self::int(even.saturating_add(more)));
+            terms = [terms[0] * self / (one * two), terms[1] * self / (two * three)];
+            even = even.saturating_add(2);
+            let [cosine, sine] = terms.map(|term| term.abs().upper());
+            let is_falling = size + size <= (one * two).lower();
+            if is_falling && cosine <= <Mp<LIMBS> as Float>::epsilon() {
+                let left = [cosine, sine].map(|most| Self::new(Mp::ZERO, Radius::above(most)));
+                let [first, second] = sums;
+                return [first + terms[0] + left[0], second + terms[1] + left[1]];
+            }
+            sums = [sums[0] + terms[0], sums[1] + terms[1]];
+        }
+        [Self::entire(); 2]
     }
 
     /// `eˣ`: `|eˣ − eᵃ| = eᵃ |e^(x−a) − 1| ≤ eᵃ r/(1 − r)` for r < 1, since e^r ≤ 1/(1 − r) and so

@@ -16,10 +16,23 @@ fn holds(ball: &Narrow, exact: Wide) -> bool {
     }
 }
 
+/// `cosh √x` and `sinh √x/√x` by exponentials, and below 0 by the circular functions.
+fn hyperbolic(x: Wide) -> [Wide; 2] {
+    let root = x.abs().sqrt();
+    let (up, down) = (root.exp(), (-root).exp());
+    if x.is_zero() {
+        [Wide::of_int(1); 2]
+    } else if x < Wide::ZERO {
+        [root.cos(), root.sin() / root]
+    } else {
+        [(up + down).scale2(-1), (up - down).scale2(-1) / root]
+    }
+}
+
 type Unary = (&'static str, fn(Narrow) -> Narrow, fn(Wide) -> Wide);
 type Binary = (&'static str, fn(Narrow, Narrow) -> Narrow, fn(Wide, Wide) -> Wide);
 
-const UNARY: [Unary; 11] = [
+const UNARY: [Unary; 13] = [
     ("sqrt", Field::sqrt, Mp::sqrt),
     ("abs", Field::abs, Mp::abs),
     ("square", Field::square, Mp::square),
@@ -29,6 +42,8 @@ const UNARY: [Unary; 11] = [
     ("cos of both", |x| x.sin_cos().1, Mp::cos),
     ("tan", Real::tan, Mp::tan),
     ("exp", Ball::exp, Mp::exp),
+    ("cosh of the root", |x| x.hyperbolic()[0], |x| hyperbolic(x)[0]),
+    ("sinh of the root by it", |x| x.hyperbolic()[1], |x| hyperbolic(x)[1]),
     ("wider", |x| x.at_width::<3>().at_width(), |x| x),
     ("times 3", |x| x.times(3), |x| x * Mp::of_int(3)),
 ];

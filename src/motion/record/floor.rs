@@ -221,6 +221,7 @@ impl<F: Float> Floor<F> {
                 Free::Oscillating { decay, .. } => decay,
                 Free::Creeping { slow, .. } if slow > zero => slow,
                 Free::Creeping { fast, .. } => fast,
+                Free::Critical { decay, .. } => decay,
             };
             let slide = follower.slide(zero, sign);
             self.drive(Shaking {

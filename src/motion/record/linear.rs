@@ -93,6 +93,25 @@ pub(super) enum Free<F> {
         /// 2d.
         between: F,
     },
+    /// `e^{−βt}` times entire functions of `d²t²`: numbers that are critical, or not, within their bounds. They are taken as
+    /// critical.
+    Critical {
+        /// β.
+        decay: F,
+        /// β² − ω², around 0.
+        square: F,
+    },
+}
+
+impl<F: Number> Free<F> {
+    /// λ₁ and λ₂ of a vibration that creeps.
+    pub(super) fn rates(&self) -> Option<[F; 2]> {
+        match *self {
+            Self::Oscillating { .. } => None,
+            Self::Creeping { slow, fast, .. } => Some([slow, fast]),
+            Self::Critical { decay, .. } => Some([decay; 2]),
+        }
+    }
 }
 
 impl<F: Number> Linear<F> {
@@ -104,7 +123,12 @@ impl<F: Number> Linear<F> {
         let difference = (beta - omega) * (beta + omega);
         // Critical but for the rounding of its numbers is critical.
         let is_critical = F::is_lost(difference.abs(), beta.square());
-        let free = if !is_critical && difference.negative()? {
+        let free = if !is_critical && difference.negative().is_none() {
+            // Of a critical one d is small; otherwise nothing is known.
+            let most = beta.square() * F::ratio(1, 1 << 20);
+            (most - difference.abs()).positive().filter(|is_small| *is_small)?;
+            Free::Critical { decay: beta, square: difference }
+        } else if !is_critical && difference.negative()? {
             Free::Oscillating { decay: beta, frequency: (-difference).sqrt() }
         } else {
             let d = if is_critical { F::int(0) } else { difference.sqrt() };
@@ -155,6 +179,8 @@ impl<F: Number> Linear<F> {
                 (frequency / F::pi() * F::ratio(65, 64)).larger(decay * F::ratio(1, 4))
             }
             Free::Creeping { slow, .. } => slow * F::ratio(1, 4),
+            // Up to d = β/2¹⁰ this is above d/π.
+            Free::Critical { decay, .. } => decay * F::ratio(1, 4),
         };
         Some(Self { law: Law { rate, square }, series, reach, is_exact, free, shortness })
     }
@@ -201,17 +227,16 @@ impl<F: Number> Linear<F> {
     /// The responses in closed form, where `2βt + ω²t² > 4`.
     #[cold]
     fn far(&self, t: F) -> Option<Responses<F>> {
-        let (one, half) = (F::int(1), F::ratio(1, 2));
         Some(match self.free {
             Free::Oscillating { decay, frequency } => {
                 let (sine, cosine) = (frequency * t).sin_cos();
                 let size = (-(decay * t)).exponential();
-                let impulse = size * sine / frequency;
-                let free = size * cosine - decay * impulse;
-                let step = (one - free - self.law.rate * impulse) / self.law.square;
-                let ramp = (t - impulse - self.law.rate * step) / self.law.square;
-                let parabola = (t.square() * half - step - self.law.rate * ramp) / self.law.square;
-                Responses { impulse, step, ramp, parabola }
+                self.of_waves(t, decay, [size * cosine, size * sine / frequency])
+            }
+            Free::Critical { decay, square } => {
+                let [cosine, sine] = (square * t.square()).hyperbolic();
+                let size = (-(decay * t)).exponential();
+                self.of_waves(t, decay, [size * cosine, size * (t * sine)])
             }
             // S_n is a divided difference of eᶻᵗ at −λ₁, −λ₂ and n − 1 times 0.
             Free::Creeping { slow, fast, between } => {
@@ -223,6 +248,16 @@ impl<F: Number> Linear<F> {
                 Responses { impulse, step, ramp, parabola }
             }
         })
+    }
+
+    /// The responses at t by `e^{−βt} cos dt` and the impulse `e^{−βt} sin(dt)/d`.
+    fn of_waves(&self, t: F, decay: F, [cosine, impulse]: [F; 2]) -> Responses<F> {
+        let Law { rate, square } = self.law;
+        let free = cosine - decay * impulse;
+        let step = (F::int(1) - free - rate * impulse) / square;
+        let ramp = (t - impulse - rate * step) / square;
+        let parabola = (t.square() * F::ratio(1, 2) - step - rate * ramp) / square;
+        Responses { impulse, step, ramp, parabola }
     }
 }
 

@@ -47,16 +47,16 @@ impl<F: Number> Follower<F> {
             let limit = (c.mean + load - sign * c.friction) / c.square;
             let shortness = self.linear.shortness;
             let mut how = How::SHORT;
-            let length = match self.linear.free {
-                Free::Oscillating { .. } if creeps > F::MOST_TERMS => {
+            let length = match self.linear.free.rates() {
+                None if creeps > F::MOST_TERMS => {
                     // What is left of the way to the stop is lost in rounding; the swing beyond the limit is no longer
                     // than the way to it.
                     self.x = limit.widened(self.x - limit);
                     self.end(time + from, sign, watch).ok_or(Failure::Uncertain)?;
                     return Ok(Rest::At(self.x));
                 }
-                Free::Oscillating { .. } => F::ratio(31, 32) / shortness,
-                Free::Creeping { slow, fast, .. } => {
+                None => F::ratio(31, 32) / shortness,
+                Some([slow, fast]) => {
                     match self.creep(load, slow, fast, sign).ok_or(Failure::Uncertain)? {
                         Creep::Stops if slow.positive().ok_or(Failure::Uncertain)? => F::int(1) / shortness,
                         Creep::Stops => self.length_to_stop(load, sign)?,

@@ -1,5 +1,6 @@
 //! Monte-Carlo estimates, compared with known shares and with their own standard errors.
 
+use crate::compared::{Origin::ByHand, compared};
 use rand_distr::{Distribution, Normal, Uniform};
 use stickslip::uncertainty::{MonteCarlo, Parameters};
 use stickslip::{Border, Drive, Error, Excitation, Oscillator, Output, Ratios, Regime};
@@ -34,12 +35,13 @@ fn probabilities_and_quantiles_are_those_of_the_distribution() {
     let found = drawn(uniform, &outputs, 40_000, 3).unwrap();
     let expected = (10.0 - greatest) / 6.0;
     let sticking = found.probability(Regime::Sticking);
-    assert!((sticking.value - expected).abs() < 4.0 * sticking.standard_error, "{sticking:?} {expected}");
+    let of = "fn uncertainty::MonteCarlo::*";
+    compared(of, sticking.value, expected, ByHand, 4.0 * sticking.standard_error);
     assert!((sticking.standard_error - (expected * (1.0 - expected) / 4e4).sqrt()).abs() < 1e-4);
     // The margin decreases with r_y: its quantile is that of r_y at the complementary share.
     for share in [0.05, 0.5, 0.9] {
         let margin = found.quantile(Output::Margin, share).unwrap();
-        assert!((greatest / margin - (10.0 - 6.0 * share)).abs() < 0.1, "{share} {margin}");
+        compared(of, greatest / margin, 10.0 - 6.0 * share, ByHand, 0.1);
     }
     assert_eq!(found.values(Output::MaxDisplacement).len(), found.count(Regime::NonSticking) as usize);
     assert_eq!(found.values(Output::Margin).len(), 40_000);
@@ -56,7 +58,7 @@ fn probabilities_and_quantiles_are_those_of_the_distribution() {
     assert!([-0.1, f64::NAN].iter().all(|&share| found.quantile(Output::Margin, share).is_none()));
     let mean = found.mean(Output::Margin).unwrap();
     let exact = greatest / 6.0 * (10f64 / 4.0).ln();
-    assert!((mean.value - exact).abs() < 4.0 * mean.standard_error, "{mean:?} {exact}");
+    compared(of, mean.value, exact, ByHand, 4.0 * mean.standard_error);
     let variance = greatest * greatest * (1.0 / 4.0 - 1.0 / 10.0) / 6.0 - exact * exact;
     assert!((mean.standard_error / (variance / 4e4).sqrt() - 1.0).abs() < 0.02, "{mean:?} {variance}");
 }

@@ -179,6 +179,13 @@ fn what_designs_repeat_is_computed_by_hand() {
     ));
     let (bands, ratios) = (bands.as_array().unwrap(), ratios.as_array().unwrap());
     assert!(bands.len() == 2 && ratios.len() == 2);
+    // The border in closed form without a damper; with one its ends are searched.
+    let damped = json(&format!(
+        "design bands {body} --damping 10N*s/m --force 60N --from 1rad/s --to 9rad/s --format json"
+    ));
+    let found_by = [&bands[0], &damped[0]].map(|band| band["found_by"].as_str());
+    let output = "design bands found_by by design::Bands::is_searched";
+    agreed(output, found_by, [None, Some("search")], ByHand);
     for (band, same) in bands.iter().zip(ratios) {
         for end in ["from", "to"] {
             let due = of(same, &format!("omega_{end}")) * natural;
@@ -206,6 +213,19 @@ fn what_designs_repeat_is_computed_by_hand() {
     );
 }
 
+const ON_BASE: &str = "of a base that carries the surface: p₀ = m ω_d² u₀, x relative to the base";
+
+/// The least crest of a body that moves with its base is between rest and hardly any friction, where only a search finds it.
+#[test]
+fn the_least_crest_on_a_base_is_searched() {
+    let answer = json(
+        "design friction --mass 2kg --stiffness 50N/m --damping 1N*s/m --base-displacement 50mm --over 0.7Hz:1.2Hz \
+         --of absolute-displacement --format json",
+    );
+    agreed("design friction --over found_by", answer["found_by"].as_str(), Some("search"), ByHand);
+    agreed("design friction --over base_motion", answer["base_motion"].as_str(), Some(ON_BASE), ByHand);
+}
+
 /// `rest_friction`: from it on the samples from rest never move over the band, and below it they do somewhere.
 #[test]
 fn the_friction_of_rest_over_a_band_is_that_of_the_samples() {
@@ -227,6 +247,14 @@ fn the_friction_of_rest_over_a_band_is_that_of_the_samples() {
                 !matches!(harmonic.limit([0.0, 0.0], 0.0, 3000), Limit::Rest(_))
             })
         };
+        // A body at rest has no displacement, which needs no search.
+        agreed("design friction --over found_by", answer["found_by"].as_str(), None, ByHand);
+        let base = match load {
+            Load::Surface => Some(ON_BASE),
+            Load::Foot => Some("of the spring's support over a fixed surface: p₀ = k u₀, x over the surface"),
+            _ => None,
+        };
+        agreed("design friction --over base_motion", answer["base_motion"].as_str(), base, ByHand);
         let output = "design friction --over rest_friction";
         agreed(output, [moves(0.999 * found), moves(1.001 * found)], [true, false], DenseSamples);
     }
@@ -263,7 +291,8 @@ fn frictions_for_an_amplitude_are_those_of_the_samples() {
         for solution in solutions {
             let friction = of(solution, "friction");
             let (found, sticks) = amplitude(friction);
-            near(&format!("{output}[] friction"), target, found, DenseSamples, 1e-8);
+            let function = "design::frictions_for_displacement";
+            near(&format!("{output}[] friction by {function}"), target, found, DenseSamples, 1e-8);
             near(
                 &format!("{output}[] max_displacement"),
                 of(solution, "max_displacement"),
@@ -309,6 +338,22 @@ fn curves_of_the_command_are_those_of_the_samples() {
             let header: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
             names.extend(keys(&text));
             let column = header.iter().position(|name| name.starts_with(what)).unwrap();
+            // The frequencies of the grid are those asked for, in their order; a peak is above its neighbours.
+            let all: Vec<csv::StringRecord> =
+                csv::Reader::from_reader(text.as_bytes()).records().map(Result::unwrap).collect();
+            let number = |row: &csv::StringRecord, column: usize| row[column].parse::<f64>().unwrap();
+            let of_grid: Vec<f64> =
+                all.iter().filter(|row| &row[5] == "grid").map(|row| number(row, 1)).collect();
+            assert_eq!(of_grid.len(), 6, "{line}");
+            for (found, i) in of_grid.into_iter().zip(0..) {
+                near("response-curve point", found, 0.4 + 0.22 * f64::from(i), ByHand, 1e-12);
+            }
+            for three in all.windows(3).filter(|three| &three[1][5] == "peak") {
+                let [before, peak, after] = [0, 1, 2].map(|i| number(&three[i], column));
+                agreed("response-curve point", peak >= before && peak >= after, true, ByHand);
+            }
+            let name = if what == "absolute" { "absolute displacement" } else { what };
+            agreed("response-curve curve", all[0][0].contains(name), true, ByHand);
             let mut compared = 0;
             for row in reader.records().map(Result::unwrap).step_by(3) {
                 let frequency = TAU * row[1].parse::<f64>().unwrap();

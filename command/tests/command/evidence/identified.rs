@@ -118,7 +118,8 @@ fn a_curve_of_the_samples_is_identified() {
         assert!(low - room < truth && truth < high + room, "{name} {truth}: {answer}");
     }
     agreed(&of("used"), answer["used"].as_u64(), Some(15), DenseSamples);
-    agreed(&of("suspects"), answer["suspects"].as_array().unwrap().len(), 1, DenseSamples);
+    let output = "identify suspects by design::Residual::is_suspect";
+    agreed(output, answer["suspects"].as_array().unwrap().len(), 1, DenseSamples);
     agreed(&of("residuals"), answer["residuals"].as_array().unwrap().len(), 16, ByHand);
     assert_eq!(answer["search_is_complete"], true, "{answer}");
     compared(&of("residuals"), answer["residuals"][7].as_f64().unwrap(), 0.6 / 1.6, DenseSamples, 0.02);
@@ -206,6 +207,22 @@ fn a_decay_of_the_samples_is_identified() {
     agreed(&of("read_as"), answer["read_as"].as_str(), Some("every-half-cycle"), DenseSamples);
     agreed(&of("ignored_columns"), &answer["ignored_columns"], &json!([]), ByHand);
     assert!(answer["half_cycles"].is_null() && answer["static_friction_displacement"].is_null(), "{answer}");
+    // Peaks up to the rest and beyond: static friction holds the last one, and did not hold the one before. It is at least the kinetic one.
+    let stops: Vec<f64> = found.found.stops.iter().map(|[_, x]| *x).collect();
+    let [.., before, last] = stops[..] else { panic!("{stops:?}") };
+    let text =
+        stops.iter().chain(&[last; 2]).fold("peak[m]\n1.5\n".to_owned(), |text, x| text + &format!("{x}\n"));
+    let to_rest = file(&folder, "to-rest.csv", &text);
+    let answer = json(&format!("identify --decay {to_rest} --mass 2kg --stiffness 50N/m --format json"));
+    agreed(&of("half_cycles"), answer["half_cycles"].as_u64(), Some(stops.len() as u64), DenseSamples);
+    for (bound, due) in answer["static_friction_displacement"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .zip([last.abs().max(0.06), before.abs()])
+    {
+        compared(&of("static_friction_displacement"), bound.as_f64().unwrap(), due, DenseSamples, 1e-6);
+    }
 }
 
 /// A load of two sines on a body of 2 kg, 50 N/m, 3 N and ζ = 2 %, and the displacements of the samples, from another zero.

@@ -101,7 +101,8 @@ fn answers_under_a_record_are_those_of_the_samples() {
                 compared(&format!("record {name}"), value, expected, DenseSamples, 1e-9 * room);
                 let (value, unit) = of_spectrum[name];
                 let value = value * si(&unit.replace("*", "·").replace("^2", "²"));
-                compared(&format!("spectrum {name}"), value, expected, DenseSamples, 1e-8 * room);
+                let output = format!("spectrum {name} by motion::record::follow_each");
+                compared(&output, value, expected, DenseSamples, 1e-8 * room);
             }
         }
     }

@@ -127,7 +127,13 @@ fn motions_of_systems_are_those_of_small_steps() {
         compared(&format!("{of} duration"), number(&answer["duration"]), until, ByHand, 0.0);
         agreed(&format!("{of} start"), state(&answer["start"]), [0.0; 4], ByHand);
         for (ours, other) in state(&answer["end"]).into_iter().zip(found.state) {
-            compared(&format!("{of} end"), ours, other, SmallSteps, BOUND * (1.0 + other.abs()));
+            compared(
+                &format!("{of} end by system::System::with_base"),
+                ours,
+                other,
+                SmallSteps,
+                BOUND * (1.0 + other.abs()),
+            );
         }
         let stored = pair.energy(&found.state) - before;
         compared(
@@ -291,7 +297,7 @@ fn borders_of_systems_are_those_of_small_steps() {
         };
         let rests = |factor: f64| long(factor).events.iter().any(|(_, kind)| *kind == "stick");
         agreed(
-            &of("least_load_factor"),
+            &of("least_load_factor by system::System::border"),
             [rests(0.999 * least), rests(1.001 * least)],
             [true, false],
             SmallSteps,
@@ -330,7 +336,8 @@ fn borders_of_systems_are_those_of_small_steps() {
             ("max_velocity", one.extremes[2][0]),
             ("work", one.state[6]),
         ] {
-            compared(&of("cycle"), number(&cycle[name]), other, SmallSteps, 1e-6 * (1.0 + other));
+            let output = of("cycle by system::System::cycle");
+            compared(&output, number(&cycle[name]), other, SmallSteps, 1e-6 * (1.0 + other));
         }
         // At the times of the greatest displacement and velocity the motion has them.
         for (name, place, most) in

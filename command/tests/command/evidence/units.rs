@@ -3,7 +3,7 @@
 use super::rows;
 use crate::command_line::json;
 use crate::compared::Origin::{ByHand, DenseSamples};
-use crate::compared::{compared, near};
+use crate::compared::{agreed, compared, near};
 use crate::machines::Driven;
 use crate::random::Random;
 use crate::sampled::{Cycle, Limit, Load, Of};
@@ -197,6 +197,13 @@ fn answers_in_units_are_those_of_the_samples() {
                 let line = format!("{question} {} --units {units} --format json", options(&driven));
                 let answer = json(&line);
                 let physical = &answer["physical"];
+                let said = match driven.excitation {
+                    Excitation::Force => "force",
+                    Excitation::Unbalance => "unbalance",
+                    Excitation::FootMotion | Excitation::DampedFootMotion => "support",
+                    _ => "base",
+                };
+                agreed("physical drive", physical["drive"].as_str().unwrap().contains(said), true, ByHand);
                 for (name, value) in physical.as_object().unwrap() {
                     let (Some(value), Some(unit)) = (value.as_f64(), physical["units"][name].as_str()) else {
                         assert!(value.is_null() || value.is_string() || value.is_object(), "{line}: {name}");
