@@ -85,7 +85,8 @@ fn kinds(given: &Given<f64>, point: &Point<f64>) -> Value {
     let weight = body.mass() * system.gravity::<f64>();
     let turn = 2.0 * std::f64::consts::PI;
     // That of forward motion, as it is given beside that of backward motion.
-    let friction = given.directional_friction().ok().flatten().map_or(body.friction_bound(), |(forward, _)| forward);
+    let friction =
+        given.directional_friction().ok().flatten().map_or(body.friction_bound(), |(forward, _)| forward);
     let mut all = vec![
         (Input::Stiffness, body.stiffness()),
         (Input::Period, turn / body.natural_frequency()),
