@@ -105,6 +105,7 @@ fn function(name: &str) -> &'static str {
         "damper_work" => "Cycle::damper_work",
         "deviation" => "Cycle::deviation",
         "loop_size_inertia" => "Cycle::loop_size_inertia",
+        "motion_without_stop" => "Response::has_motion_without_stop",
         "loop_size_stiffness" => "Cycle::loop_size_stiffness",
         "reversals_per_cycle" => "Response::reversals_per_cycle",
         _ => "Response::new",
@@ -160,6 +161,8 @@ fn every_column_of_the_closed_forms_is_that_of_the_samples() {
                     (of_output, value, expected.is_elsewhere())
                 {
                     let one = Value::Number(output.of(&response));
+                    let got = Value::Number(response.get(output));
+                    failures.extend(hold("fn Response::get", got, expected, &driven).err());
                     let [of_all, _] = Output::values([output, Output::MinForceRatio], driven.ratios());
                     failures.extend(hold("fn Output::of", one, expected, &driven).err());
                     failures.extend(

@@ -468,6 +468,7 @@ fn neighbours_of_an_irregular_motion_part_as_the_exponent_says() {
     let implied = 1500.0 * square / 30.0 / motion.lyapunov_exponent_error.powi(2);
     let (found, due) = ((motion.turns as f64).sqrt(), implied.sqrt());
     compared("steady turns_observed", found, due, DenseSamples, 0.525 * due);
+    agreed("fn motion::Irregular::is_chaotic", motion.is_chaotic(), mean > 4.0 * spread, DenseSamples);
     for (of, motion) in [("steady", &motion), ("attractors[]", same)] {
         let output = format!("{of} lyapunov_exponent");
         compared(&output, motion.lyapunov_exponent, mean, DenseSamples, 5.0 * error);
