@@ -21,9 +21,9 @@
 use super::assembly::{Assembly, Rule};
 use super::branch::{Branch, Guard, Trigger};
 use super::dependent::least;
-use super::equation::Mode;
 use super::first_passage::{first_passage, shorten, value_and_slope};
 use super::matrix::{add_times, dot, size_of_dot};
+use super::mode::Mode;
 use crate::float::Float;
 use alloc::vec;
 use alloc::vec::Vec;

@@ -22,10 +22,10 @@
 
 use super::assembly::{Assembly, Rule};
 use super::branch::{Branch, polynomial};
-use super::equation::Mode;
 use super::error::Error;
 use super::first_passage::{greatest_place, integer};
 use super::matrix::{Matrix, add_times, dot};
+use super::mode::Mode;
 use crate::float::Float;
 use alloc::string::ToString;
 use alloc::vec;

@@ -15,11 +15,12 @@
 
 use super::assembly::{Assembly, Part, Piece, Rule};
 use super::dependent::facets;
-use super::equation::{Equation, Mode, fastest, pressing, sign};
+use super::equation::{Equation, fastest, pressing};
 use super::first_passage::{bernstein_of_rows, integer};
-use super::massless::Tie;
 use super::matrix::{Matrix, Sparse, add_times, dot, is_small};
+use super::mode::{Mode, sign};
 use super::propagator::{Bound, Propagator, exponential};
+use super::tie::Tie;
 use crate::float::Float;
 use alloc::vec;
 use alloc::vec::Vec;

@@ -2,7 +2,7 @@
 
 use super::assembly::Assembly;
 use super::branch::Branch;
-use super::equation::Mode;
+use super::mode::Mode;
 use crate::float::Float;
 use alloc::vec::Vec;
 

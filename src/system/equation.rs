@@ -1,43 +1,12 @@
 //! The linear equation of a branch, `z′ = A z`, with the forces of all elements, and the greatest rate in it.
 
 use super::assembly::{Assembly, Part, Rule, unit};
-use super::massless::Tie;
 use super::matrix::{Matrix, Sparse, add_times, entries};
+use super::mode::{Mode, sign};
+use super::tie::Tie;
 use crate::float::Float;
 use alloc::vec;
 use alloc::vec::Vec;
-
-/// What an element does.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Mode {
-    /// A contact that sticks.
-    Stuck,
-    /// A contact that slides, in the piece of its law with this number.
-    Slides { forward: bool, piece: usize },
-    /// A contact without normal load.
-    Apart,
-    /// An elastic contact that holds.
-    Holds,
-    /// An elastic contact whose slider slides.
-    Yields { forward: bool },
-    /// A stop that does not touch.
-    Away,
-    /// A stop in touch.
-    Pressed,
-    /// A stop beyond its gap, which would have to pull.
-    Lifted,
-    /// A stop that gives no way, in touch.
-    Resting,
-    /// A spring, in the piece of its law with this number.
-    Bends { piece: usize },
-}
-
-impl Mode {
-    /// Whether the force is sought that keeps the velocity at 0.
-    pub(crate) const fn is_held(self) -> bool {
-        matches!(self, Self::Stuck | Self::Resting)
-    }
-}
 
 /// The equation while each element keeps its mode.
 pub(crate) struct Equation<F> {
@@ -212,11 +181,6 @@ pub(crate) fn pressing<F: Float>(part: &Part<F>) -> Vec<F> {
         add_times(&mut row, *damping, &part.velocity);
     }
     row
-}
-
-/// 1 forward, −1 backward.
-pub(crate) fn sign<F: Float>(forward: bool) -> F {
-    if forward { F::int(1) } else { F::int(-1) }
 }
 
 /// `force −= b Tᵀ`.

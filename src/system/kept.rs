@@ -5,8 +5,8 @@
 
 use super::assembly::{Assembly, Rule};
 use super::branch::Branch;
-use super::equation::Mode;
 use super::matrix::{add_times, dot};
+use super::mode::Mode;
 use super::next_branch::at_rest;
 use crate::float::Float;
 use alloc::vec::Vec;

@@ -15,8 +15,9 @@
 
 use super::assembly::{Assembly, Rule};
 use super::dependent::{least, rank, rounding};
-use super::equation::{Mode, given_tension, sign};
+use super::equation::given_tension;
 use super::matrix::{add_times, dot, size_of_dot};
+use super::mode::{Mode, sign};
 use crate::float::Float;
 use alloc::vec;
 use alloc::vec::Vec;

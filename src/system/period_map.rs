@@ -8,12 +8,12 @@
 use super::assembly::{Assembly, Rule};
 use super::blow::{Blow, Reset, beside, place_at_gap};
 use super::drift::{Drift, Natural};
-use super::equation::{Mode, sign};
 use super::error::Error;
 use super::events::{Event, EventKind, Stretch, Watch};
 use super::first_passage::integer;
 use super::follow::Follower;
 use super::matrix::dot;
+use super::mode::{Mode, sign};
 use super::model::State;
 use super::motion::{Motion, Observer, state};
 use crate::float::Float;

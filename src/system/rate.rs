@@ -2,8 +2,9 @@
 
 use super::System;
 use super::assembly::{Piece, Rule};
-use super::equation::{Equation, Mode, fastest};
+use super::equation::{Equation, fastest};
 use super::follow::most_steps;
+use super::mode::Mode;
 use crate::float::Float;
 use alloc::vec::Vec;
 

@@ -4,9 +4,9 @@
 //! there, and so is the derivative of the state. Beyond its points a law goes on straight.
 
 use super::assembly::{Assembly, Part, Piece, Rule, finite};
-use super::equation::Mode;
 use super::error::Error;
 use super::matrix::{Matrix, add_times};
+use super::mode::Mode;
 use crate::float::Float;
 use crate::machine::error::written;
 use alloc::format;

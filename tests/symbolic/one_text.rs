@@ -62,11 +62,10 @@ fn only_the_choice_of_a_start_asks_how_many_digits_there_are() {
         "cycle/damped/summit.rs",
         "cycle/velocity.rs",
         "cycle/velocity/iteration.rs",
-        // The text of numbers in errors, and in sentences.
+        // The text of numbers in errors.
         "machine/error/number.rs",
         // Turns in one piece, which are slower for types that no processor has.
         "motion/record/turns.rs",
-        "words.rs",
     ];
     assert_eq!(asking, starts);
 }

@@ -1,8 +1,8 @@
 //! A described system with its motions.
 
 use super::described::{Described, base_of, shake};
+use super::laws::set_points;
 use super::node::nearest;
-use super::tabled::set_points;
 use super::{file, named};
 use crate::inputs::units::{Kind, Reader, System as Units};
 use serde_json::Value;

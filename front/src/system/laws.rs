@@ -4,7 +4,7 @@ use super::curve::{Curve, Mesh, Of as Kind, Points, size};
 use super::formula::Formula;
 use super::node::{Fields, Node};
 use crate::inputs::units::Kind as Of;
-use stickslip::system::{Element, Model, Signal, State};
+use stickslip::system::{self, Element, Model, Signal, State};
 
 /// The exponent of a Stribeck law that gives none: Gauss's curve, as after Armstrong-Hélouvry.
 const EXPONENT: f64 = 2.0;
@@ -211,4 +211,13 @@ fn tolerance(fields: &Fields<'_>, read: Read) -> Result<Option<f64>, String> {
     let Some(node) = fields.get("tolerance") else { return Ok(None) };
     let tolerance = read(&node, Of::Force)?;
     if tolerance > 0.0 { Ok(Some(tolerance)) } else { Err(node.wrong("must be > 0")) }
+}
+
+/// Gives an element the points of its law.
+pub(super) fn set_points(kind: &mut system::Kind<f64>, table: Vec<(f64, f64)>) {
+    match kind {
+        system::Kind::Contact { law, .. } => *law = system::Law { points: table },
+        system::Kind::Spring { points } => *points = table,
+        system::Kind::Elastic { .. } | system::Kind::Stop { .. } | system::Kind::HardStop { .. } => {}
+    }
 }

@@ -2,10 +2,10 @@
 
 use super::built::NamedSystem;
 use super::digits::{Numbers, OfPassage, OfStates, OfSteady, extrapolated};
-use super::laws::Refined;
+use super::laws::{Refined, set_points};
 use serde::Serialize;
 use std::fmt;
-use stickslip::system::{Beyond, Error, Kind, Law, Motion, State, Steady, System};
+use stickslip::system::{Beyond, Error, Motion, State, Steady, System};
 
 /// How often a range may be changed.
 const MOST_RANGES: u32 = 64;
@@ -217,14 +217,5 @@ impl NamedSystem {
             system = system.stopping_beyond(law.element, range);
         }
         Ok(system)
-    }
-}
-
-/// Gives an element the points of its law.
-pub(super) fn set_points(kind: &mut Kind<f64>, table: Vec<(f64, f64)>) {
-    match kind {
-        Kind::Contact { law, .. } => *law = Law { points: table },
-        Kind::Spring { points } => *points = table,
-        Kind::Elastic { .. } | Kind::Stop { .. } | Kind::HardStop { .. } => {}
     }
 }
