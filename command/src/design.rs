@@ -112,9 +112,9 @@ impl<F: Value> AskedDesign<'_, F> {
             far if far.is_empty() => "a motion ".to_owned(),
             far => format!("a motion of {far} {length} of the spring's support over a fixed surface, or "),
         };
-        let turning = fields.iter().find_map(|(name, _, cell)| match cell {
-            Cell::Number(Some(value)) if *name == "unbalance" => Some(digits(factor.times(*value))),
-            _ => None,
+        let turning = fields.iter().find(|(name, ..)| *name == "unbalance").and_then(|(_, _, cell)| {
+            let Cell::Number(Some(value)) = cell else { return None };
+            Some(digits(factor.times(*value)))
         });
         let sentence = format!(
             "The body never sticks at a force of {} {newton} or more: a rotating unbalance of {} {unbalance}, {foot}of {} \

@@ -51,7 +51,9 @@ pub(crate) fn open<F: Float>(system: &Assembly<F>, z: &[F], modes: &[Mode], rest
                 let wide = F::epsilon() * F::int(1 << 14);
                 dot(depth, z).abs() <= size_of_dot(depth, &absolute(z)) * wide
             }
-            _ => modes.get(i).is_some_and(|mode| *mode != Mode::Apart),
+            Rule::Contact { .. } | Rule::Elastic { .. } | Rule::Hard { .. } | Rule::Spring { .. } => {
+                modes.get(i).is_some_and(|mode| *mode != Mode::Apart)
+            }
         };
         resting.contains(&i) || (acts && system.is_light(part))
     };

@@ -1,5 +1,7 @@
 //! Laws that are curves, beside small steps on the curve itself: the same events, and no digit too many.
 
+#![allow(clippy::print_stdout, reason = "the counts of a campaign are shown with --nocapture")]
+
 use crate::generator::Random;
 use crate::named;
 use crate::stepper::{Law, Machine};

@@ -1,5 +1,7 @@
 //! Springs with laws, beside small steps.
 
+#![allow(clippy::print_stdout, reason = "the counts of a campaign are shown with --nocapture")]
+
 use crate::generator::Random;
 use crate::named;
 use crate::stepper::{Law, Machine};
