@@ -187,7 +187,8 @@ fn intervals_about_critical_damping_hold_the_samples() {
             let of = if is_free { "response" } else { "steady" };
             let holds = middle - reach <= least + 1e-9 && most - 1e-9 <= middle + reach;
             agreed(&format!("--enclose {of}"), holds, true, DenseSamples);
-            assert!(reach < 50.0 * off * middle, "{omega} {alpha}: {reach} for {least} to {most}");
+            // A wider one would not even know the sign.
+            assert!(reach < middle, "{omega} {alpha}: {reach} for {least} to {most}");
         }
     }
 }
