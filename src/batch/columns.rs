@@ -30,7 +30,7 @@ pub(super) const LOOPED: [Output; 9] = [
     Output::Deviation,
     Output::Contraction,
 ];
-/// Whether the loops compute an output with a damper and static friction, too: all of [`LOOPED`] but λ.
+/// Whether the loops compute an output with a damper and static friction, too: all of `LOOPED` but λ.
 #[must_use]
 pub fn is_looped_with_damper(output: Output) -> bool {
     output != Output::Contraction && LOOPED.contains(&output)

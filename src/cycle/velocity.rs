@@ -137,7 +137,7 @@ pub(crate) struct GivenCycle<F> {
     pub(crate) displacement_phase: F,
 }
 
-/// [`fastest`] of a cycle, and the deviation Δ₁/B if the iteration computes it; otherwise
+/// [`fastest()`] of a cycle, and the deviation Δ₁/B if the iteration computes it; otherwise
 /// [`Circular::deviation`] does.
 #[inline(always)]
 pub(crate) fn fastest_of_cycle<F: Float>(

@@ -271,7 +271,7 @@ pub(crate) fn springless<F: Float>() -> F {
     F::exp2i(springless_exponent::<F>())
 }
 
-/// The binary logarithm of [`springless`].
+/// The binary logarithm of `springless`.
 pub fn springless_exponent<F: Float>() -> i32 {
     (F::precision() / 2).saturating_add(2).cast_signed()
 }

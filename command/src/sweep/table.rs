@@ -25,10 +25,10 @@ pub(crate) trait Table: Sync {
         self.rows(point..point + 1).pop().unwrap_or(Err(Failure::Interrupted))
     }
 
-    /// As [`resume::Rows::hold_their_grid`].
+    /// As [`super::resume::Rows::hold_their_grid`].
     fn hold_their_grid(&self) -> bool;
 
-    /// As [`resume::Rows::is_on_grid`], for a row of CSV or of JSON lines.
+    /// As [`super::resume::Rows::is_on_grid`], for a row of CSV or of JSON lines.
     fn is_on_grid(&self, line: &[u8], point: u64, is_csv: bool) -> Result<bool, Failure>;
 
     /// What identifies the table, by name.

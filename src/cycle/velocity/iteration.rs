@@ -24,7 +24,7 @@ pub(super) fn from_centre_or_afar<F: Float>(
     }
 }
 
-/// [`fastest`] and x/B there, from a start at a lower precision. The displacement takes no circular functions
+/// [`fastest()`] and x/B there, from a start at a lower precision. The displacement takes no circular functions
 /// of its own, which are the cost at high precision.
 pub(super) fn fastest_and_displacement<F: Float>(half: &HalfCycle<F>, k: F, alpha: F) -> (Fastest<F>, F) {
     polish(half, start(half.in_range(), k, alpha))
