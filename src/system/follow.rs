@@ -687,15 +687,7 @@ impl<'a, F: Float> Follower<'a, F> {
                     touched.push(*element);
                     *mode = Mode::Stuck;
                 }
-                (Trigger::Stops, rule) => {
-                    if let (Rule::Elastic { place, bound, .. }, Mode::Yields { forward }) = (rule, *mode) {
-                        let force = sign::<F>(forward) * dot(bound, &self.z);
-                        if let Some(place) = self.z.get_mut(*place) {
-                            *place = force;
-                        }
-                    }
-                    *mode = Mode::Holds;
-                }
+                (Trigger::Stops, _) => lock(part, mode, &mut self.z),
                 (Trigger::Piece(piece), _) => {
                     if let Mode::Slides { forward, .. } = *mode {
                         *mode = Mode::Slides { forward, piece };
@@ -782,6 +774,15 @@ impl<'a, F: Float> Follower<'a, F> {
                 } else {
                     slides(&part.rule, dot(&part.velocity, &self.z))
                 };
+            } else if let (Mode::Yields { forward }, Rule::Elastic { stiffness, bound, .. }) =
+                (*mode, &part.rule)
+            {
+                // Its slider stops or turns with the body, but where the friction falls faster than the spring.
+                let velocity = sign::<F>(forward) * dot(&part.velocity, &self.z);
+                let rounding = size_of_dot(branch.speed_error(i, &part.velocity), &self.z) * F::int(4);
+                if *stiffness * (velocity - rounding) <= dot(bound, &branch.derivative(&self.z)) {
+                    lock(part, mode, &mut self.z);
+                }
             }
         }
         Ok(Some(struck))
@@ -793,6 +794,17 @@ fn is_slow<F: Float>(system: &Assembly<F>, branch: &Branch<F>, element: usize, z
     let Some(part) = system.parts.get(element) else { return false };
     let bound = size_of_dot(branch.speed_error(element, &part.velocity), z);
     dot(&part.velocity, z).abs() <= bound * F::int(4)
+}
+
+/// An elastic contact whose slider stops holds with the force that it has.
+fn lock<F: Float>(part: &Part<F>, mode: &mut Mode, z: &mut [F]) {
+    if let (Rule::Elastic { place, bound, .. }, Mode::Yields { forward }) = (&part.rule, *mode) {
+        let force = sign::<F>(forward) * dot(bound, z);
+        if let Some(place) = z.get_mut(*place) {
+            *place = force;
+        }
+    }
+    *mode = Mode::Holds;
 }
 
 /// The mode of a contact that slides with the velocity v.

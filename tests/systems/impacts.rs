@@ -250,6 +250,38 @@ fn a_blow_sets_a_stuck_contact_in_motion() {
     assert!(energy(&motion) < 1e-13);
 }
 
+/// The slider of an elastic contact stops with the body that a stop halts: once, and in any units of length and force.
+#[test]
+fn an_elastic_contact_locks_where_a_stop_halts_the_body() {
+    let (mass, spring, stiffness, friction, load, gap) = (1.5_f64, 50.0, 132.0, 2.7, 20.0, 0.1);
+    // It yields at x = friction/stiffness, and arrives under the load less the friction.
+    let held = ((spring + stiffness) / mass).sqrt();
+    let begin = friction / stiffness;
+    let yields = (1.0 - begin * (spring + stiffness) / load).acos() / held;
+    let speed = load / (spring + stiffness) * held * (held * yields).sin();
+    let (free, middle) = ((spring / mass).sqrt(), (load - friction) / spring);
+    let (cosine, sine) = (begin - middle, speed / free);
+    let turned = sine.atan2(cosine) - ((gap - middle) / cosine.hypot(sine)).acos();
+    let arrives = yields + turned / free;
+    for (length, force) in [(1.0, 1.0), (1e3, 1.0), (1e3, 1e-3), (0.37, 2.9)] {
+        let per = force / length;
+        for e in [0.0, 0.3] {
+            let kind = Kind::Elastic { stiffness: stiffness * per, friction: friction * force, normal: None };
+            let elements = vec![element("slider", vec![1.0], kind), stop(vec![1.0], gap * length, e)];
+            let model =
+                Model { constant: vec![load * force], ..body(mass * per, 0.0, spring * per, elements) };
+            let motion = System::new(&model).unwrap().simulate(&at(vec![0.0]), 3.0).unwrap();
+            let (yielded, locked) = (of(&motion, EventKind::Yield), of(&motion, EventKind::Lock));
+            assert_eq!(yielded.len(), locked.len(), "{length} {force} {e}: {:?}", motion.events);
+            assert!((yielded[0].time - yields).abs() < 1e-13 && (locked[0].time - arrives).abs() < 1e-13);
+            let slides: f64 = yielded.iter().zip(&locked).map(|(y, l)| l.time - y.time).sum();
+            assert!((motion.elements[0].time_at_rest - (3.0 - slides)).abs() < 1e-12, "{length} {force} {e}");
+            // Without restitution the body stays, so that its slider never slides again.
+            assert!(e > 0.0 || locked.len() == 1, "{length} {force}: {:?}", motion.events);
+        }
+    }
+}
+
 /// What is no stop with a restitution is refused.
 #[test]
 fn wrong_stops_are_refused() {
