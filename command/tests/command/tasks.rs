@@ -246,7 +246,6 @@ fn machines_over_a_range() {
         ("response-curve --omega 0.5:2:10 --alpha 1:5:41", vec!["41 curves, must be ≤ 40"]),
         ("response-curve --omega 0.5 --alpha 2", vec!["give a grid"]),
         ("response-curve absolute --omega 0.5:2:10 --alpha 2", vec!["--base-acceleration"]),
-        ("motion-plot --omega 0.5 --alpha 0.5", vec!["no periodic motion"]),
     ] {
         refused(arguments, &parts);
     }

@@ -85,7 +85,7 @@ impl Formula {
                 Step::Pair(place) => {
                     let (b, a) = (pop(), pop());
                     // NaN stays NaN.
-                    if (a < b) == (place == 0) || a.is_nan() { a } else { b }
+                    if a.is_nan() || (!b.is_nan() && (a < b) == (place == 0)) { a } else { b }
                 }
                 Step::Operator(operator) => {
                     let (b, a) = (pop(), pop());

@@ -213,7 +213,7 @@ fn what_designs_repeat_is_computed_by_hand() {
     );
 }
 
-const ON_BASE: &str = "of a base that carries the surface: p₀ = m ω_d² u₀, x relative to the base";
+const ON_BASE: &str = "the base carries the surface: p₀ = m ω_d² u₀, x relative to the base";
 
 /// The least crest of a body that moves with its base is between rest and hardly any friction, where only a search finds it.
 #[test]
@@ -251,7 +251,7 @@ fn the_friction_of_rest_over_a_band_is_that_of_the_samples() {
         agreed("design friction --over found_by", answer["found_by"].as_str(), None, ByHand);
         let base = match load {
             Load::Surface => Some(ON_BASE),
-            Load::Foot => Some("of the spring's support over a fixed surface: p₀ = k u₀, x over the surface"),
+            Load::Foot => Some("the spring's support moves over a fixed surface: p₀ = k u₀, x over the surface"),
             _ => None,
         };
         agreed("design friction --over base_motion", answer["base_motion"].as_str(), base, ByHand);
