@@ -226,7 +226,8 @@ fn every_snippet_of_another_language_runs() {
     for (page, text) in crate::book_pages::all() {
         let folder = folder(&page);
         for (kind, block) in blocks(&text) {
-            if kind == "python" {
+            // Those of the gallery need the Python package, whose tests run them.
+            if kind == "python" && page != "docs/gallery.md" {
                 std::fs::write(folder.join("snippet.py"), &block).unwrap();
                 let mut python = Command::new("python3");
                 let done = python.arg("snippet.py").current_dir(&folder).env("PATH", &path).output();

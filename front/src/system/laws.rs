@@ -12,6 +12,8 @@ const EXPONENT: f64 = 2.0;
 const PART: f64 = 2e-4;
 /// The part of the pieces of a table that shows how far a motion goes, and the fewest of them.
 const SCOUT: usize = 8;
+/// From this factor on a law is steep: eight is that of a cubic spring over twice the stretch.
+const STEEP: f64 = 8.0;
 const FEWEST: usize = 4;
 /// How many lengths of its fall a Stribeck law is first tabulated over.
 const LENGTHS: f64 = 4.0;
@@ -161,6 +163,16 @@ impl Law {
         let own = self.curve.scale().map_or(0.0, |length| LENGTHS * length);
         let first = (2.0 * from).max(own);
         self.reach = if first > 0.0 && first.is_finite() { first } else { 1.0 };
+    }
+
+    /// Whether the law grows so much between two places that a table to the farther one is too coarse up to the nearer one.
+    pub(super) fn is_steep(&self, near: f64, far: f64) -> bool {
+        size(&self.curve, self.of, far) > STEEP * size(&self.curve, self.of, near)
+    }
+
+    /// How far a table reaches that follows one which the motion has left.
+    pub(super) fn further(&self, reach: f64) -> f64 {
+        if self.is_steep(reach, 2.0 * reach) { 1.25 * reach } else { 2.0 * reach }
     }
 
     /// The force within which tables up to a reach are.

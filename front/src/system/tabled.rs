@@ -13,6 +13,8 @@ const MOST_RANGES: u32 = 64;
 const MOST_FINER: usize = 2;
 /// By how much a table reaches beyond the motion.
 const BEYOND: f64 = 1.25;
+/// By how much the table of a steep law reaches beyond the motion.
+const CLOSE: f64 = 1.05;
 /// A table that reaches further than so many times the motion is made anew.
 const TOO_FAR: f64 = 1.5;
 
@@ -138,10 +140,10 @@ impl NamedSystem {
             let leaves = |why: Why, ranges: &mut [f64], left: &mut [f64]| match why {
                 Why::Engine(Error::LeavesLaw { element, .. }) => {
                     let own = laws.iter().position(|law| law.element == element);
-                    match own.and_then(|own| ranges.get_mut(own).zip(left.get_mut(own))) {
-                        Some((range, left)) => {
+                    match own.and_then(|own| Some((own, ranges.get_mut(own)?, left.get_mut(own)?))) {
+                        Some((own, range, left)) => {
                             *left = *range;
-                            *range *= 2.0;
+                            *range = laws.get(own).map_or(*range, |law| law.further(*range));
                             Ok(())
                         }
                         None => Err(why),
@@ -182,6 +184,17 @@ impl NamedSystem {
                     break;
                 }
                 (coarsest, coarse, fine, fineness) = (coarse, fine, at(finer)?, finer);
+            }
+            // A table is as fine as its law is large at its end, so that a steep law must end where the motion does.
+            let mut is_new = false;
+            for ((law, range), &left) in laws.iter().zip(&mut ranges).zip(&left) {
+                let due = CLOSE * fine.reach(law.element).unwrap_or(0.0).max(left);
+                if due > 0.0 && due < *range && law.is_steep(due, *range) {
+                    (*range, is_new) = (due, true);
+                }
+            }
+            if is_new {
+                continue;
             }
             let events_agree = coarse.is_like(&fine);
             let (answer, error) = extrapolated(&coarsest, &coarse, &fine);

@@ -324,3 +324,29 @@ fn wrong_curves_are_refused_in_one_line() {
     let why = found.simulate(&found.described.start, 3.0).unwrap_err().to_string();
     assert!(why.contains("contacts[1].law: is -") && why.contains("write max(…, 0)"), "{why}");
 }
+
+/// A law that grows without measure beyond the motion has tables that end where the motion does: the law cut off there by hand has the
+/// same answer.
+#[test]
+fn a_steep_law_is_as_fine_as_where_the_motion_goes() {
+    let machine = |formula: &str| {
+        format!(
+            "units = \"N,m\"\nmasses = {{ b = \"1 kg\" }}\n[[springs]]\nbetween = [\"ground\", \"b\"]\nstiffness = 100\n[[forces]]\n\
+             on = \"b\"\namplitude = 10\nfrequency = 5\n[[contacts]]\nbetween = [\"ground\", \"b\"]\nlaw = {{ formula = \"{formula}\" }}\n"
+        )
+    };
+    for (steep, cut) in [
+        ("exp(v^9)", "exp(min(v, 1.2)^9)"),
+        ("exp(v^4)", "exp(min(v, 1.2)^4)"),
+        ("1 + v^30", "1 + min(v, 1.2)^30"),
+    ] {
+        let least = |formula: &str| {
+            let system = named(&machine(formula));
+            let (motion, digits) = system.simulate(&system.described.start, 2.0).unwrap();
+            (motion.min_velocity[0], digits.unwrap())
+        };
+        let ((found, digits), (due, _)) = (least(steep), least(cut));
+        assert!((found / due - 1.0).abs() < 2e-3, "{steep}: {found} {due}");
+        assert!(digits.error < 0.01 && digits.tables[0].within < 0.01, "{steep}: {digits:?}");
+    }
+}

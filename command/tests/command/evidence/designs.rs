@@ -251,7 +251,9 @@ fn the_friction_of_rest_over_a_band_is_that_of_the_samples() {
         agreed("design friction --over found_by", answer["found_by"].as_str(), None, ByHand);
         let base = match load {
             Load::Surface => Some(ON_BASE),
-            Load::Foot => Some("the spring's support moves over a fixed surface: p₀ = k u₀, x over the surface"),
+            Load::Foot => {
+                Some("the spring's support moves over a fixed surface: p₀ = k u₀, x over the surface")
+            }
             _ => None,
         };
         agreed("design friction --over base_motion", answer["base_motion"].as_str(), base, ByHand);
