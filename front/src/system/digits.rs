@@ -272,12 +272,12 @@ pub(super) fn extrapolated<T: Numbers>(coarsest: &T, coarse: &T, fine: &T) -> (T
     (answer, shared)
 }
 
-/// A number to the last digit whose unit is at least twice its error.
+/// A number to the last digit whose unit is at least eight times its estimated error: of 500 random machines some had four times the estimate.
 fn rounded(x: f64, error: f64) -> f64 {
     if !(error > 0.0 && error.is_finite() && x.is_finite()) {
         return x;
     }
-    let last = (2.0 * error).log10().ceil();
+    let last = (8.0 * error).log10().ceil();
     let found = if last > 0.0 {
         let unit = 10.0_f64.powf(last);
         (x / unit).round() * unit

@@ -9,7 +9,7 @@ use stickslip::system::{self, Element, Model, Signal, State};
 /// The exponent of a Stribeck law that gives none: Gauss's curve, as after Armstrong-Hélouvry.
 const EXPONENT: f64 = 2.0;
 /// The part of a law's own size within which its second table is, where no force is given: the finest is within a quarter of it.
-const PART: f64 = 2e-4;
+const PART: f64 = 1e-4;
 /// The part of the pieces of a table that shows how far a motion goes, and the fewest of them.
 const SCOUT: usize = 8;
 /// From this factor on a law is steep: eight is that of a cubic spring over twice the stretch.
