@@ -66,7 +66,7 @@ def test_motions_are_tables_of_bodies_elements_and_events():
     assert list(table) == list(table.attrs["units"])
     events = motion.events.to_frame()
     assert events.index.tolist() == motion.event_time.tolist() and events["kind"].tolist() == motion.event_kind.tolist()
-    assert events.attrs["units"] == {"time": "s"} and list(pd.DataFrame(motion.events)) == ["time", "element", "kind"]
+    assert events.attrs["units"] == {"time": "s", "velocity_before": "mm/s", "velocity_after": "mm/s"} and list(pd.DataFrame(motion.events)) == ["time", "element", "kind", "velocity_before", "velocity_after"]
     elements = motion.elements.to_frame()
     assert elements.loc["bearing", "work"] == motion.elements["bearing"].work and elements.attrs["units"] == {"time_at_rest": "s", "work": "N·mm"}
     steady = frame().steady()
