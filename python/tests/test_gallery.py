@@ -27,7 +27,7 @@ def section(name):
     code = text.split('"""', 2)[2].strip()
     title, _, rest = told.replace("\n", " ").partition(": ")
     title = title if rest else " ".join(told.split()).partition(",")[0]
-    return f"\n## {title}\n\n{' '.join(told.split())}\n\n```python\n{code}\n```\n\n![{title}](pictures/{name}.png)\n"
+    return f"\n## {title}\n\n{' '.join(told.split())}\n\n```py\n{code}\n```\n\n![{title}](pictures/{name}.png)\n"
 
 
 def page():

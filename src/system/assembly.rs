@@ -561,18 +561,11 @@ fn pieces<F: Float>(name: &str, law: &Law<F>) -> Result<Vec<Piece<F>>, Error> {
         finite(&format!("{name}: speed of the law"), speed)?;
         at_least(&format!("{name}: friction"), force, zero)?;
     }
-    let mut pieces = Vec::new();
-    for (&(from, force), &(to, next)) in law.points.iter().zip(law.points.iter().skip(1)) {
-        if to <= from {
-            return Err(Error::NotIncreasing {
-                name: format!("{name}: speeds of the law"),
-                value: written(from),
-                next: written(to),
-            });
-        }
-        let slope = finite(&format!("{name}: slope of the law"), (next - force) / (to - from))?;
-        pieces.push(Piece { from, force, slope });
-    }
+    let mut pieces = straight_pieces(
+        &format!("{name}: speeds of the law"),
+        &format!("{name}: slope of the law"),
+        &law.points,
+    )?;
     match pieces.last() {
         None => {
             let force = law.points.first().map_or(zero, |p| p.1);
@@ -585,6 +578,26 @@ fn pieces<F: Float>(name: &str, law: &Law<F>) -> Result<Vec<Piece<F>>, Error> {
         Some(_) => {}
     }
     Ok(pieces)
+}
+
+/// The straight pieces between points whose first numbers increase: with the names of these numbers and of the slopes for errors.
+pub(super) fn straight_pieces<F: Float>(
+    places: &str,
+    slopes: &str,
+    points: &[(F, F)],
+) -> Result<Vec<Piece<F>>, Error> {
+    let pairs = points.iter().zip(points.iter().skip(1));
+    let piece = |(&(from, force), &(to, next)): (&(F, F), &(F, F))| {
+        if to <= from {
+            return Err(Error::NotIncreasing {
+                name: places.to_string(),
+                value: written(from),
+                next: written(to),
+            });
+        }
+        Ok(Piece { from, force, slope: finite(slopes, (next - force) / (to - from))? })
+    };
+    pairs.map(piece).collect()
 }
 
 /// The name of a place of a list, which counts from 1.

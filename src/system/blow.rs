@@ -23,7 +23,7 @@ use super::branch::{Branch, Guard, Trigger};
 use super::dependent::least;
 use super::first_passage::{first_passage, shorten, value_and_slope};
 use super::matrix::{add_times, dot, size_of_dot};
-use super::mode::Mode;
+use super::mode::{Mode, places};
 use crate::float::Float;
 use alloc::vec;
 use alloc::vec::Vec;
@@ -260,7 +260,8 @@ pub(crate) fn strike<F: Float>(
     let slope = branch.derivative(z);
     let bend = branch.derivative(&slope);
     let mut later = zero;
-    let touching = (0..modes.len()).filter(|i| modes.get(*i) == Some(&Mode::Resting) && !hit.contains(i));
+    let mut touching = places(modes, |mode| mode == Mode::Resting);
+    touching.retain(|element| !hit.contains(element));
     let mut all: Vec<Struck<F>> = Vec::new();
     for element in hit.iter().copied().chain(touching) {
         let Some(part) = system.parts.get(element) else { return Err(element) };

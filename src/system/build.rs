@@ -1,5 +1,6 @@
 //! Systems in code: bodies by name, and what is between them.
 
+use super::matrix::set;
 use super::{
     Beyond, Element, Error, Harmonic, Kind, Law, Model, Moved, MovedBy, Record, Signal, State, System,
 };
@@ -104,26 +105,14 @@ impl<F: Float> Builder<F> {
 
     /// A spring between two bodies, or between a body and the ground.
     #[must_use]
-    pub fn spring(mut self, first: &str, second: &str, stiffness: F) -> Self {
-        match self.ends(first, second) {
-            Ok(ends) => {
-                link(&mut self.model.stiffness, ends, &stiffness);
-                self
-            }
-            Err(wrong) => self.with(wrong),
-        }
+    pub fn spring(self, first: &str, second: &str, stiffness: F) -> Self {
+        self.linked(|model| &mut model.stiffness, [first, second], stiffness)
     }
 
     /// A viscous damper between two bodies, or between a body and the ground.
     #[must_use]
-    pub fn damper(mut self, first: &str, second: &str, constant: F) -> Self {
-        match self.ends(first, second) {
-            Ok(ends) => {
-                link(&mut self.model.damping, ends, &constant);
-                self
-            }
-            Err(wrong) => self.with(wrong),
-        }
+    pub fn damper(self, first: &str, second: &str, constant: F) -> Self {
+        self.linked(|model| &mut model.damping, [first, second], constant)
     }
 
     /// Dry friction between two bodies, or between a body and the ground, with the name `first-second`. [`Builder::between`] takes contacts with
@@ -241,6 +230,22 @@ impl<F: Float> Builder<F> {
         System::new(&self.model()?)
     }
 
+    /// This builder with what acts along the stretch of two bodies in a matrix.
+    fn linked(
+        mut self,
+        matrix: fn(&mut Model<F>) -> &mut Vec<Vec<F>>,
+        [first, second]: [&str; 2],
+        value: F,
+    ) -> Self {
+        match self.ends(first, second) {
+            Ok(ends) => {
+                link(matrix(&mut self.model), ends, &value);
+                self
+            }
+            Err(wrong) => self.with(wrong),
+        }
+    }
+
     fn ends(&self, first: &str, second: &str) -> Result<Ends, Error> {
         let end = |name: &str| match self.place(name) {
             None if name != GROUND => Err(no_body(name)),
@@ -283,12 +288,6 @@ impl<F: Float> Builder<F> {
 
 fn no_body(name: &str) -> Error {
     Error::Unsupported { name: name.to_owned(), condition: "must be a body that is named before, or ground" }
-}
-
-fn set<F>(vector: &mut [F], i: usize, value: F) {
-    if let Some(place) = vector.get_mut(i) {
-        *place = value;
-    }
 }
 
 fn add<F: Float>(vector: &mut [F], i: usize, value: F) {

@@ -33,7 +33,7 @@ impl<F: Float> Equation<F> {
                 None if mode.is_held() => stuck.push(i),
                 None => {}
             }
-            apply(&mut force, &part.direction, tension);
+            force.less_product(&part.direction, tension);
         }
         let tie = (!system.massless.is_empty()).then(|| Tie::new(system, modes, &stuck, &force));
         let inverse = inverse_by_shares(system, &stuck);
@@ -56,7 +56,7 @@ impl<F: Float> Equation<F> {
             for (&i, row) in stuck.iter().zip(held.rows()) {
                 if let (Some(part), Some(tension)) = (system.parts.get(i), tension.get_mut(i)) {
                     add_times(tension, F::int(1), row);
-                    apply(&mut force, &part.direction, row);
+                    force.less_product(&part.direction, row);
                 }
             }
         }
@@ -181,15 +181,6 @@ pub(crate) fn pressing<F: Float>(part: &Part<F>) -> Vec<F> {
         add_times(&mut row, *damping, &part.velocity);
     }
     row
-}
-
-/// `force −= b Tᵀ`.
-fn apply<F: Float>(force: &mut Matrix<F>, direction: &[F], tension: &[F]) {
-    for (i, &b) in direction.iter().enumerate() {
-        if b != F::int(0) {
-            add_times(force.row_mut(i), -b, tension);
-        }
-    }
 }
 
 /// G⁻¹ of the contacts that stick. Dependent ones share their force in proportion to their bounds, as far as that holds it:

@@ -1,7 +1,9 @@
 //! The motion, from event to event.
 
+mod choose;
+
 use super::assembly::{Assembly, Part, Rule};
-use super::blow::{Blows, Strike, place_at_gap, strike};
+use super::blow::{Blows, Strike};
 use super::branch::{Branch, LOW_COUNT, Trigger};
 use super::branches::Branches;
 use super::error::Error;
@@ -9,15 +11,12 @@ use super::events::{Event, EventKind, Stretch, Watch};
 use super::first_passage::{first_passage, shorten};
 use super::kept::Kept;
 use super::massless;
-use super::matrix::{Sum, absolute, add_times, dot, size_of_dot};
-use super::mode::{Mode, sign};
+use super::matrix::{Sum, absolute, add_times, clear, dot, size_of_dot};
+use super::mode::{Mode, lock, slides, yields};
 use super::model::State;
-use super::next_branch::{AtRest, at_rest, decide, follows};
 use super::propagator::Propagator;
-use super::spring;
 use crate::float::Float;
 use crate::machine::error::written;
-use alloc::string::String;
 use alloc::vec;
 use alloc::vec::Vec;
 
@@ -261,166 +260,23 @@ impl<'a, F: Float> Follower<'a, F> {
         Ok(())
     }
 
-    fn is_slow(&self, element: usize) -> bool {
-        self.branch().is_some_and(|branch| is_slow(self.system, branch, element, &self.z))
-    }
-
     /// Chooses the first branch.
     fn begin(&mut self) -> Result<(), Error> {
         self.kept.clear();
         self.blows.clear();
         if !self.system.massless.is_empty() {
             // Where it changes which stops are in touch, there is another balance.
+            let mut now = self.modes_of_state()?;
             for _ in 0..8 {
-                let (modes, resting) = self.modes_of_state()?;
-                let open = massless::open(self.system, &self.z, &modes, &resting);
-                massless::balance(self.system, &mut self.z, &modes, &open);
-                if self.modes_of_state()?.0 == modes {
+                let open = massless::open(self.system, &self.z, &now.0, &now.1);
+                massless::balance(self.system, &mut self.z, &now.0, &open);
+                let before = core::mem::replace(&mut now, self.modes_of_state()?).0;
+                if now.0 == before {
                     break;
                 }
             }
         }
         self.choose().map(|_| ())
-    }
-
-    /// Decides what acts on coordinates without mass, and the contacts at rest, and enters the branch: `first` are the modes to
-    /// be taken where they are consistent.
-    fn choose_light(&mut self, first: &[Vec<Mode>], resting: &[usize]) -> Result<Vec<Mode>, Error> {
-        let system = self.system;
-        let open = massless::open(system, &self.z, first.first().map_or(&[], Vec::as_slice), resting);
-        let found = massless::decide(system, &mut self.branches, &self.z, first, &open);
-        let (modes, z) = found.map_err(|free| match free {
-            Some(coordinate) => system.without_mass(
-                coordinate,
-                "is held neither by a spring or damper nor by a contact that sticks: give it one of these, or a mass",
-            ),
-            None => self.undecided(open.first().copied().unwrap_or(0)),
-        })?;
-        self.z = z;
-        self.enter(&modes);
-        Ok(modes)
-    }
-
-    /// Chooses the branch by the state alone, and enters it.
-    fn choose(&mut self) -> Result<Vec<Mode>, Error> {
-        let (mut modes, resting) = self.modes_of_state()?;
-        if !self.system.massless.is_empty() {
-            let present = self.branch().map(|branch| branch.modes.clone());
-            let first: Vec<Vec<Mode>> = present.into_iter().chain([modes]).collect();
-            return self.choose_light(&first, &resting);
-        }
-        self.settle(&mut modes, resting.clone(), &[], true)?;
-        self.enter(&modes);
-        // A velocity that is zero but for rounding is told by the size that it could have within a step.
-        let mut resting = resting;
-        let mut still = Vec::new();
-        for (i, mode) in modes.iter().enumerate() {
-            if !resting.contains(&i) && self.may_rest(i, *mode) {
-                still.push(i);
-            }
-        }
-        if !still.is_empty() {
-            resting.extend(still);
-            resting.sort_unstable();
-            self.settle(&mut modes, resting, &[], true)?;
-            self.enter(&modes);
-        }
-        Ok(modes)
-    }
-
-    /// The modes by the state alone, with the contacts at rest; those at coordinates without mass are not decided.
-    fn modes_of_state(&mut self) -> Result<(Vec<Mode>, Vec<usize>), Error> {
-        let mut modes = Vec::with_capacity(self.system.parts.len());
-        let mut resting = Vec::new();
-        for (i, part) in self.system.parts.iter().enumerate() {
-            let v = dot(&part.velocity, &self.z);
-            let still = v.abs() <= size_of_dot(&part.velocity, &self.z) * F::epsilon() * F::int(64);
-            let is_apart = part.normal().is_some_and(|row| dot(row, &self.z) < F::int(0));
-            modes.push(match &part.rule {
-                Rule::Hard { depth, .. } => {
-                    let deep = dot(depth, &self.z);
-                    let doubt = size_of_dot(depth, &self.z) * F::epsilon() * F::int(256);
-                    if deep > doubt {
-                        return Err(self.beyond(part, deep));
-                    }
-                    if deep >= -doubt {
-                        place_at_gap(self.system, &mut self.z, &[i]);
-                        self.blows.arrive(i);
-                    }
-                    if deep >= -doubt && still {
-                        resting.push(i);
-                        Mode::Resting
-                    } else {
-                        Mode::Away
-                    }
-                }
-                Rule::Contact { .. } => {
-                    if is_apart {
-                        Mode::Apart
-                    } else if self.system.is_light(part) {
-                        Mode::Stuck
-                    } else if still {
-                        resting.push(i);
-                        Mode::Stuck
-                    } else {
-                        slides(&part.rule, v)
-                    }
-                }
-                Rule::Elastic { place, bound, .. } => {
-                    let force = self.z.get(*place).copied().unwrap_or(F::int(0));
-                    let (forward, most) = (force > F::int(0), dot(bound, &self.z));
-                    // Within rounding of its friction it is there.
-                    let full = most * (F::int(1) - F::epsilon() * F::int(64));
-                    let (mode, force) = if is_apart {
-                        (Mode::Apart, F::int(0))
-                    } else if force.abs() >= full && sign::<F>(forward) * v > F::int(0) {
-                        (Mode::Yields { forward }, sign::<F>(forward) * most)
-                    } else {
-                        (Mode::Holds, force)
-                    };
-                    if let Some(place) = self.z.get_mut(*place) {
-                        *place = force;
-                    }
-                    mode
-                }
-                Rule::Stop { depth, stiffness, damping } => {
-                    let deep = dot(depth, &self.z);
-                    let force = *stiffness * deep + *damping * v;
-                    if deep <= F::int(0) {
-                        Mode::Away
-                    } else if force > F::int(0) {
-                        Mode::Pressed
-                    } else {
-                        Mode::Lifted
-                    }
-                }
-                Rule::Spring { pieces } => {
-                    spring::mode(pieces, part.stretch.as_deref().map_or(F::int(0), |row| dot(row, &self.z)))
-                }
-            });
-        }
-        Ok((modes, resting))
-    }
-
-    /// Whether an element in motion may come to rest here: a contact that slides, or a body at a stop that gives no way, without a velocity
-    /// above rounding.
-    fn may_rest(&self, element: usize, mode: Mode) -> bool {
-        let is_at = || self.blows.is_at(self.system, &self.z, element);
-        (matches!(mode, Mode::Slides { piece: 0, .. }) || (mode == Mode::Away && is_at()))
-            && self.is_slow(element)
-    }
-
-    /// A body beyond a stop that gives no way.
-    fn beyond(&self, part: &Part<F>, deep: F) -> Error {
-        let at = if self.time() > F::int(0) {
-            alloc::format!(" at time {}", written(self.time()))
-        } else {
-            String::new()
-        };
-        Error::Unsupported {
-            name: alloc::format!("{}: displacement beyond its gap by {}{at}", part.name, written(deep)),
-            condition: "must be ≤ 0 at a stop with a restitution",
-        }
     }
 
     /// Tells the events that lead from some modes to others, with those of blows.
@@ -450,53 +306,6 @@ impl<'a, F: Float> Follower<'a, F> {
             };
             watch.event(Event { time, element, kind, velocities: None });
         }
-    }
-
-    /// Decides the contacts at rest, and takes their velocities out. `released` are those whose force has just reached its
-    /// bound, with the direction; `arrives` tells whether one has not been at rest before.
-    fn settle(
-        &mut self,
-        modes: &mut [Mode],
-        mut resting: Vec<usize>,
-        released: &[(usize, bool)],
-        arrives: bool,
-    ) -> Result<(), Error> {
-        if resting.is_empty() {
-            return Ok(());
-        }
-        let system = self.system;
-        if system.is_dependent {
-            // What depends on contacts at rest is at rest.
-            let slides =
-                |i: usize| matches!(modes.get(i), Some(Mode::Slides { .. })) && !resting.contains(&i);
-            let more: Vec<usize> =
-                (0..modes.len()).filter(|&i| slides(i) && follows(system, i, &resting)).collect();
-            resting.extend(more);
-            resting.sort_unstable();
-        }
-        // Velocities that have been taken out stay out.
-        if arrives {
-            at_rest(system, &mut self.z, &resting);
-        }
-        let release = |element: usize| released.iter().find(|(i, _)| *i == element).map(|r| r.1);
-        let contacts: Vec<AtRest> =
-            resting.iter().map(|&element| AtRest { element, released: release(element) }).collect();
-        let choices = decide(system, &self.z, &contacts, modes).map_err(|element| self.undecided(element))?;
-        for (contact, choice) in contacts.iter().zip(choices) {
-            let Some(mode) = modes.get_mut(contact.element) else { continue };
-            let is_stop =
-                matches!(system.parts.get(contact.element).map(|p| &p.rule), Some(Rule::Hard { .. }));
-            *mode = match choice {
-                None if is_stop => Mode::Resting,
-                None => Mode::Stuck,
-                Some(_) if is_stop => Mode::Away,
-                Some(forward) => Mode::Slides { forward, piece: 0 },
-            };
-            if is_stop {
-                self.blows.arrive(contact.element);
-            }
-        }
-        Ok(())
     }
 
     fn undecided(&self, element: usize) -> Error {
@@ -696,11 +505,8 @@ impl<'a, F: Float> Follower<'a, F> {
                     }
                 }
                 (Trigger::Ends, _) => return Err(self.leaves(*element)),
-                (Trigger::Releases { forward }, Rule::Elastic { place, bound, .. }) => {
-                    let force = sign::<F>(forward) * dot(bound, &self.z);
-                    if let Some(place) = self.z.get_mut(*place) {
-                        *place = force;
-                    }
+                (Trigger::Releases { forward }, Rule::Elastic { .. }) => {
+                    yields(part, forward, &mut self.z);
                     *mode = Mode::Yields { forward };
                 }
                 (Trigger::Releases { forward }, _) => {
@@ -708,10 +514,8 @@ impl<'a, F: Float> Follower<'a, F> {
                     released.extend_from_slice(others);
                 }
                 (Trigger::Parts, rule) => {
-                    if let Rule::Elastic { place, .. } = rule
-                        && let Some(force) = self.z.get_mut(*place)
-                    {
-                        *force = F::int(0);
+                    if let Rule::Elastic { place, .. } = rule {
+                        clear(&mut self.z, *place);
                     }
                     *mode = Mode::Apart;
                 }
@@ -745,6 +549,7 @@ impl<'a, F: Float> Follower<'a, F> {
             let arrives =
                 strike.is_some() || resting.iter().any(|&i| !before.get(i).is_some_and(|m| m.is_held()));
             self.settle(&mut modes, resting, &released, arrives)?;
+            self.enter(&modes);
         } else {
             modes = self.choose_light(&[modes, before.clone()], &resting)?;
         }
@@ -752,68 +557,12 @@ impl<'a, F: Float> Follower<'a, F> {
             self.blows.disturb();
         }
         self.tell(&before, &modes, &touched, strike.as_ref(), watch);
-        self.enter(&modes);
         if let (Some(branch), Some((row, from))) = (self.branch(), change) {
             let reset = strike.as_ref().map(|strike| &strike.reset);
             watch.changes(row.as_deref(), reset, &from, &branch.derivative(&self.z));
         }
         Ok(())
     }
-
-    /// The blows at stops that are hit, and the contacts after them: those whose velocity they change slide.
-    fn strike(&mut self, modes: &mut [Mode], hit: &[usize]) -> Result<Option<Strike<F>>, Error> {
-        let system = self.system;
-        let Some(branch) = self.branches.current().filter(|_| !hit.is_empty()) else { return Ok(None) };
-        let is_slow = |element: usize, z: &[F]| is_slow(system, branch, element, z);
-        let struck = strike(system, branch, &mut self.z, modes, hit, &mut self.blows, is_slow);
-        let struck = struck.map_err(|element| self.undecided(element))?;
-        for (i, (part, mode)) in system.parts.iter().zip(modes).enumerate() {
-            if matches!(mode, Mode::Stuck | Mode::Slides { .. }) {
-                *mode = if self.is_slow(i) {
-                    Mode::Stuck
-                } else {
-                    slides(&part.rule, dot(&part.velocity, &self.z))
-                };
-            } else if let (Mode::Yields { forward }, Rule::Elastic { stiffness, bound, .. }) =
-                (*mode, &part.rule)
-            {
-                // Its slider stops or turns with the body, but where the friction falls faster than the spring.
-                let velocity = sign::<F>(forward) * dot(&part.velocity, &self.z);
-                let rounding = size_of_dot(branch.speed_error(i, &part.velocity), &self.z) * F::int(4);
-                if *stiffness * (velocity - rounding) <= dot(bound, &branch.derivative(&self.z)) {
-                    lock(part, mode, &mut self.z);
-                }
-            }
-        }
-        Ok(Some(struck))
-    }
-}
-
-/// Whether rounding cannot tell the velocity along an element from zero, by what it could be within a step.
-fn is_slow<F: Float>(system: &Assembly<F>, branch: &Branch<F>, element: usize, z: &[F]) -> bool {
-    let Some(part) = system.parts.get(element) else { return false };
-    let bound = size_of_dot(branch.speed_error(element, &part.velocity), z);
-    dot(&part.velocity, z).abs() <= bound * F::int(4)
-}
-
-/// An elastic contact whose slider stops holds with the force that it has.
-fn lock<F: Float>(part: &Part<F>, mode: &mut Mode, z: &mut [F]) {
-    if let (Rule::Elastic { place, bound, .. }, Mode::Yields { forward }) = (&part.rule, *mode) {
-        let force = sign::<F>(forward) * dot(bound, z);
-        if let Some(place) = z.get_mut(*place) {
-            *place = force;
-        }
-    }
-    *mode = Mode::Holds;
-}
-
-/// The mode of a contact that slides with the velocity v.
-fn slides<F: Float>(rule: &Rule<F>, v: F) -> Mode {
-    let piece = match rule {
-        Rule::Contact { pieces, .. } => pieces.partition_point(|p| p.from <= v.abs()).saturating_sub(1),
-        Rule::Elastic { .. } | Rule::Stop { .. } | Rule::Hard { .. } | Rule::Spring { .. } => 0,
-    };
-    Mode::Slides { forward: v > F::int(0), piece }
 }
 
 /// The kind of the event that leads from one mode to another.

@@ -6,7 +6,7 @@
 use super::assembly::{Assembly, Rule};
 use super::branch::Branch;
 use super::matrix::{add_times, dot};
-use super::mode::Mode;
+use super::mode::{Mode, places};
 use super::next_branch::at_rest;
 use crate::float::Float;
 use alloc::vec::Vec;
@@ -68,8 +68,7 @@ impl<F: Float> Kept<F> {
 
     fn restore(&self, system: &Assembly<F>, branch: &Branch<F>, z: &mut [F]) {
         let n = system.n;
-        let stuck: Vec<usize> =
-            (0..branch.modes.len()).filter(|&i| branch.modes.get(i).is_some_and(|m| m.is_held())).collect();
+        let stuck = places(&branch.modes, Mode::is_held);
         match &branch.tie {
             Some(tie) => tie.project(system, &branch.modes, z),
             None => at_rest(system, z, &stuck),

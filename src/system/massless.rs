@@ -30,9 +30,9 @@ use super::branches::Branches;
 use super::dependent::least;
 use super::equation::given_tension;
 use super::error::Error;
-use super::matrix::{Matrix, absolute, add_times, dot, size_of_dot};
+use super::matrix::{Matrix, absolute, add_times, at, clear, dot, set, size_of_dot};
 use super::mode::Mode;
-use super::tie::{at, clear, largest, set, split, units};
+use super::tie::{largest, split, units};
 use crate::float::Float;
 use alloc::format;
 use alloc::vec;
@@ -212,7 +212,7 @@ impl<F: Float> Implicit<F> {
             if !open.contains(&i)
                 && let Some(row) = given_tension(part, *mode)
             {
-                part.direction.iter().enumerate().for_each(|(k, &b)| add_times(force.row_mut(k), -b, &row));
+                force.less_product(&part.direction, &row);
             }
         }
         let holds = |(i, part, mode): (usize, &super::assembly::Part<F>, &Mode)| match (&part.rule, mode) {

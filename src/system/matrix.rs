@@ -47,6 +47,23 @@ pub(crate) fn add_times<F: Float>(y: &mut [F], s: F, x: &[F]) {
     }
 }
 
+/// An entry of a row; 0 beyond it.
+pub(crate) fn at<F: Float>(row: &[F], i: usize) -> F {
+    row.get(i).copied().unwrap_or(F::int(0))
+}
+
+/// Sets an entry of a row, if it has one there.
+pub(crate) fn set<F: Float>(row: &mut [F], place: usize, x: F) {
+    if let Some(entry) = row.get_mut(place) {
+        *entry = x;
+    }
+}
+
+/// Sets an entry of a row to 0.
+pub(crate) fn clear<F: Float>(row: &mut [F], place: usize) {
+    set(row, place, F::int(0));
+}
+
 /// Whether whole matrices of this size are cheap at this precision.
 pub(crate) fn is_small<F: Float>(size: usize) -> bool {
     size <= 8 && F::precision() <= 64
@@ -347,6 +364,15 @@ impl<F: Float> Matrix<F> {
     pub(crate) fn product(&self, other: &Self, result: &mut Self) {
         for (row, sum) in self.rows().zip(result.items.chunks_exact_mut(other.stride.max(1))) {
             other.transposed_of(row, sum);
+        }
+    }
+
+    /// `self −= b Tᵀ`: less the force T of an element that acts along b.
+    pub(crate) fn less_product(&mut self, b: &[F], tension: &[F]) {
+        for (i, &b) in b.iter().enumerate() {
+            if b != F::int(0) {
+                add_times(self.row_mut(i), -b, tension);
+            }
         }
     }
 

@@ -9,7 +9,7 @@ use super::first_passage::{greatest_above, integer, shorten, shortened};
 use super::follow::Follower;
 use super::levels::Sides;
 use super::matrix::{Matrix, Sum, add_times, dot, size_of_dot};
-use super::mode::Mode;
+use super::mode::{Mode, places};
 use super::model::State;
 use crate::float::Float;
 use alloc::string::String;
@@ -441,8 +441,7 @@ fn forces<F: Float>(system: &Assembly<F>, branch: &Branch<F>, z: &[F]) -> Vec<F>
     if !system.is_dependent {
         return force;
     }
-    let stuck: Vec<usize> =
-        branch.modes.iter().enumerate().filter(|(_, m)| m.is_held()).map(|(i, _)| i).collect();
+    let stuck = places(&branch.modes, Mode::is_held);
     let own: Vec<F> = stuck.iter().filter_map(|&i| force.get(i).copied()).collect();
     // The least and the greatest force; a stop that gives no way has no greatest one.
     let of = |part: &Part<F>| match part.rule {

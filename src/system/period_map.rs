@@ -12,8 +12,8 @@ use super::error::Error;
 use super::events::{Event, EventKind, Stretch, Watch};
 use super::first_passage::integer;
 use super::follow::Follower;
-use super::matrix::dot;
-use super::mode::{Mode, sign};
+use super::matrix::{clear, dot};
+use super::mode::{Mode, places, yields};
 use super::model::State;
 use super::motion::{Motion, Observer, state};
 use crate::float::Float;
@@ -239,10 +239,7 @@ impl<'a, F: Float> PeriodMap<'a, F> {
     fn directions(&self) -> Vec<Vec<F>> {
         let (system, free) = (self.system, self.system.free);
         let modes = self.follower.branch().map_or(&[][..], |b| &b.modes);
-        let those = |is: fn(Mode) -> bool| -> Vec<usize> {
-            modes.iter().enumerate().filter(|(_, m)| is(**m)).map(|(i, _)| i).collect()
-        };
-        let (held, touching) = (those(Mode::is_held), those(|m| m == Mode::Resting));
+        let (held, touching) = (places(modes, Mode::is_held), places(modes, |mode| mode == Mode::Resting));
         let mut columns = Vec::with_capacity(free);
         for i in 0..free {
             let mut column = vec![F::int(0); system.size];
@@ -255,17 +252,10 @@ impl<'a, F: Float> PeriodMap<'a, F> {
             }
             place_at_gap(system, &mut column, &touching);
             for (part, mode) in system.parts.iter().zip(modes) {
-                let Rule::Elastic { place, bound, .. } = &part.rule else { continue };
-                let force = match mode {
-                    Mode::Yields { forward } => sign::<F>(*forward) * dot(bound, &column),
-                    Mode::Apart => F::int(0),
-                    Mode::Stuck | Mode::Slides { .. } | Mode::Holds => continue,
-                    Mode::Away | Mode::Pressed | Mode::Lifted | Mode::Resting | Mode::Bends { .. } => {
-                        continue;
-                    }
-                };
-                if let Some(place) = column.get_mut(*place) {
-                    *place = force;
+                match (&part.rule, *mode) {
+                    (_, Mode::Yields { forward }) => yields(part, forward, &mut column),
+                    (Rule::Elastic { place, .. }, Mode::Apart) => clear(&mut column, *place),
+                    _ => {}
                 }
             }
             if self.is_moved(i) {
@@ -288,8 +278,7 @@ impl<'a, F: Float> PeriodMap<'a, F> {
     /// their own b·q, which is no number of a motion: the rows are those of what moves beside them.
     pub(super) fn kept_rows(&self, busy: &[Event<F>]) -> Vec<Vec<F>> {
         let modes = self.follower.branch().map_or(&[][..], |b| &b.modes);
-        let touching: Vec<usize> =
-            (0..modes.len()).filter(|i| modes.get(*i) == Some(&Mode::Resting)).collect();
+        let touching = places(modes, |mode| mode == Mode::Resting);
         let mut rows = Vec::new();
         for (i, (part, mode)) in self.system.parts.iter().zip(modes).enumerate() {
             if busy.iter().any(|event| event.element == i) {

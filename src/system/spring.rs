@@ -3,12 +3,11 @@
 //! Each straight piece is a branch of the motion, and the passage from one to the next is an event without a name: the force is continuous
 //! there, and so is the derivative of the state. Beyond its points a law goes on straight.
 
-use super::assembly::{Assembly, Part, Piece, Rule, finite};
+use super::assembly::{Assembly, Part, Piece, Rule, finite, straight_pieces};
 use super::error::Error;
 use super::matrix::{Matrix, add_times};
 use super::mode::Mode;
 use crate::float::Float;
-use crate::machine::error::written;
 use alloc::format;
 use alloc::vec;
 use alloc::vec::Vec;
@@ -22,21 +21,10 @@ pub(super) fn pieces<F: Float>(name: &str, points: &[(F, F)]) -> Result<Vec<Piec
         finite(&format!("{name}: displacement of the law"), displacement)?;
         finite(&format!("{name}: force of the law"), force)?;
     }
-    let mut pieces: Vec<Piece<F>> = Vec::new();
-    for (&(from, force), &(to, next)) in points.iter().zip(points.iter().skip(1)) {
-        if to <= from {
-            return Err(Error::NotIncreasing {
-                name: format!("{name}: displacements of the law"),
-                value: written(from),
-                next: written(to),
-            });
-        }
-        let slope = finite(&format!("{name}: slope of the law"), (next - force) / (to - from))?;
-        // A point on the straight line of its neighbours, such as the middle of a mirrored law, is no corner.
-        if pieces.last().is_none_or(|last| last.slope != slope) {
-            pieces.push(Piece { from, force, slope });
-        }
-    }
+    let (places, slopes) = (format!("{name}: displacements of the law"), format!("{name}: slope of the law"));
+    let mut pieces = straight_pieces(&places, &slopes, points)?;
+    // A point on the straight line of its neighbours, such as the middle of a mirrored law, is no corner.
+    pieces.dedup_by(|next, last| next.slope == last.slope);
     Ok(pieces)
 }
 

@@ -2,15 +2,11 @@
 //! the derivation.
 
 use super::assembly::{Assembly, Part, Rule};
-use super::matrix::{Matrix, absolute, add_times, dot, size_of_dot};
-use super::mode::{Mode, sign};
+use super::matrix::{Matrix, absolute, add_times, at, clear, dot, set, size_of_dot};
+use super::mode::{Mode, sign, yields};
 use crate::float::Float;
 use alloc::vec;
 use alloc::vec::Vec;
-
-pub(super) fn at<F: Float>(row: &[F], i: usize) -> F {
-    row.get(i).copied().unwrap_or(F::int(0))
-}
 
 /// The entries of a row at some places.
 fn part_of<F: Float>(row: &[F], places: &[usize]) -> Vec<F> {
@@ -243,7 +239,7 @@ impl<F: Float> Tie<F> {
         let mut apply = |force: &mut Matrix<F>, place: usize, row: &[F]| {
             if let (Some(part), Some(tension)) = (system.parts.get(place), tension.get_mut(place)) {
                 add_times(tension, F::int(1), row);
-                part.direction.iter().enumerate().for_each(|(i, &b)| add_times(force.row_mut(i), -b, row));
+                force.less_product(&part.direction, row);
             }
         };
         let balance: Vec<Vec<F>> = system
@@ -307,9 +303,8 @@ impl<F: Float> Tie<F> {
     pub(crate) fn project(&self, system: &Assembly<F>, modes: &[Mode], z: &mut [F]) {
         let n = system.n;
         for (part, mode) in system.parts.iter().zip(modes) {
-            if let (Rule::Elastic { place, bound, .. }, Mode::Yields { forward }) = (&part.rule, mode) {
-                let force = sign::<F>(*forward) * dot(bound, z);
-                set(z, *place, force);
+            if let Mode::Yields { forward } = mode {
+                yields(part, *forward, z);
             }
         }
         let impulses: Vec<F> = self.still.iter().map(|(row, _)| dot(row, z)).collect();
@@ -353,16 +348,6 @@ impl<F: Float> Tie<F> {
         let parts = || system.parts.iter().zip(modes);
         self.balance.iter().all(is_balanced) && parts().all(yields) && parts().all(rests)
     }
-}
-
-pub(super) fn set<F: Float>(row: &mut [F], place: usize, x: F) {
-    if let Some(entry) = row.get_mut(place) {
-        *entry = x;
-    }
-}
-
-pub(super) fn clear<F: Float>(row: &mut [F], place: usize) {
-    set(row, place, F::int(0));
 }
 
 fn substitute<F: Float>(velocity: &[(usize, Vec<F>)], row: &mut [F]) {

@@ -3,7 +3,7 @@
 use crate::asked::{Asked, Problem};
 use crate::map::place;
 use serde_json::{Map, Value, json};
-use stickslip::internal::{Column, ResponseAnswer, When};
+use stickslip::internal::{Column, ResponseAnswer, Value as Answer, When};
 use stickslip::motion::{LongRun, SteadyAnswer};
 use stickslip::{Definition, Drive, Measure, NoStop, Response};
 use stickslip_front::inputs::units::{Kind, System};
@@ -140,7 +140,7 @@ impl Values<'_> {
         columns.map(|column| self.value(column.definition, (column.of)(answer))).collect()
     }
 
-    fn value(&self, definition: &Definition, value: stickslip::internal::Value<f64>) -> Value {
+    fn value(&self, definition: &Definition, value: Answer<f64>) -> Value {
         let mut row = Map::new();
         let mut add = |name: &str, value: Value| row.insert(name.to_owned(), value);
         add("name", json!(definition.name));
@@ -148,26 +148,22 @@ impl Values<'_> {
         add("meaning", json!(definition.meaning));
         add("unit", json!(definition.measure.unit()));
         let value = match value {
-            stickslip::internal::Value::Number(Some(x)) if self.is_frictionless => {
-                stickslip::internal::Value::Number(Some(without_friction(definition.measure, x)))
+            Answer::Number(Some(x)) if self.is_frictionless => {
+                Answer::Number(Some(without_friction(definition.measure, x)))
             }
             value => value,
         };
         let own = match value {
             // Values in units of the friction do not exist without it.
-            stickslip::internal::Value::Number(_)
-                if self.is_frictionless && is_of_friction(definition.measure) =>
-            {
-                Value::Null
-            }
-            stickslip::internal::Value::Number(number) => json!(number),
-            stickslip::internal::Value::Count(count) => json!(count),
-            stickslip::internal::Value::Flag(flag) => json!(flag),
-            stickslip::internal::Value::Text(text) => json!(text),
-            stickslip::internal::Value::Pairs(pairs) => json!(pairs),
+            Answer::Number(_) if self.is_frictionless && is_of_friction(definition.measure) => Value::Null,
+            Answer::Number(number) => json!(number),
+            Answer::Count(count) => json!(count),
+            Answer::Flag(flag) => json!(flag),
+            Answer::Text(text) => json!(text),
+            Answer::Pairs(pairs) => json!(pairs),
         };
         add("value", own);
-        if let stickslip::internal::Value::Number(number) = value
+        if let Answer::Number(number) = value
             && let Some(machine) = &self.point.machine
             && let Some(name) = definition.physical_name(machine.drive.excitation())
         {

@@ -203,8 +203,8 @@ fn every_block_is_of_a_kind_that_is_tested() {
                 "math" | "text" => {}
                 // These are run by `every_snippet_of_another_language_runs`.
                 "python" | "matlab" => {}
-                // These need the Python package.
-                "pycon" => {
+                // These need the Python package, whose tests run them.
+                "pycon" | "py" => {
                     assert!(
                         include_str!("../../../.ci/python").contains(&page),
                         ".ci/python does not run {page}"
@@ -226,8 +226,7 @@ fn every_snippet_of_another_language_runs() {
     for (page, text) in crate::book_pages::all() {
         let folder = folder(&page);
         for (kind, block) in blocks(&text) {
-            // Those of the gallery need the Python package, whose tests run them.
-            if kind == "python" && page != "docs/gallery.md" {
+            if kind == "python" {
                 std::fs::write(folder.join("snippet.py"), &block).unwrap();
                 let mut python = Command::new("python3");
                 let done = python.arg("snippet.py").current_dir(&folder).env("PATH", &path).output();

@@ -54,6 +54,11 @@ impl Curve {
         }
     }
 
+    /// Its value as the law of something: below 0 that of an odd spring is mirrored.
+    pub(super) fn of(&self, of: Of, x: f64) -> f64 {
+        if of == Of::OddSpring && x < 0.0 { -self.at(-x) } else { self.at(x) }
+    }
+
     /// A length over which it bends, where one is known.
     pub(super) const fn scale(&self) -> Option<f64> {
         match self {
@@ -95,6 +100,12 @@ pub(super) struct Mesh<'c> {
 
 /// The points of a table.
 pub(super) type Points = Vec<(f64, f64)>;
+
+/// Points from (0, 0) up, with those below 0 of the opposite sign.
+pub(super) fn mirrored(points: &[(f64, f64)]) -> Points {
+    let below = points.iter().skip(1).rev().map(|(x, force)| (-x, -force));
+    below.chain(points.iter().copied()).collect()
+}
 
 /// The greatest size of a curve up to a place.
 pub(super) fn size(curve: &Curve, of: Of, reach: f64) -> f64 {
@@ -240,17 +251,12 @@ impl<'c> Mesh<'c> {
             (x, if self.of == Of::Friction { force.max(0.0) } else { force })
         };
         let points: Vec<(f64, f64)> = knots.iter().enumerate().map(moved).collect();
-        if self.of == Of::OddSpring {
-            points.iter().skip(1).rev().map(|(x, force)| (-x, -force)).chain(points.iter().copied()).collect()
-        } else {
-            points
-        }
+        if self.of == Of::OddSpring { mirrored(&points) } else { points }
     }
 
     /// The greatest difference of a table from the curve, measured at some points of each piece.
     pub(super) fn within(&self, points: &Points) -> f64 {
-        let value =
-            |x: f64| if self.of == Of::OddSpring && x < 0.0 { -self.curve.at(-x) } else { self.curve.at(x) };
+        let value = |x: f64| self.curve.of(self.of, x);
         let mut within = 0.0_f64;
         for (a, b) in points.iter().zip(points.iter().skip(1)) {
             for i in 0..=POINTS {

@@ -203,11 +203,8 @@ impl Law {
         let beside = BESIDE * self.reach;
         if self.of != Kind::Friction || at > beside {
             points.retain(|point| (point.0 - at).abs() > 2.0 * beside);
-            let value = |x: f64| {
-                if self.of == Kind::OddSpring && x < 0.0 { -self.curve.at(-x) } else { self.curve.at(x) }
-            };
             let after = points.partition_point(|point| point.0 < at);
-            let pair = [at - beside, at + beside].map(|x| (x, value(x)));
+            let pair = [at - beside, at + beside].map(|x| (x, self.curve.of(self.of, x)));
             points.splice(after..after, pair);
         }
         Ok(points)

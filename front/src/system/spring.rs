@@ -1,5 +1,6 @@
 //! A spring whose law is a table: displacements and forces, mirrored where they begin at 0.
 
+use super::curve::mirrored;
 use super::node::{Fields, Node};
 
 /// The points of a spring's table. `odd` says whether the points from 0 up hold below 0 with the opposite sign; where it is not given,
@@ -15,9 +16,9 @@ pub(super) fn points(
             "must have two points or more, [displacement, force]; a straight spring has a stiffness",
         ));
     };
-    if let Some(place) = (1..table.len()).find(|&i| at(&table, i) <= at(&table, i.saturating_sub(1))) {
-        let (before, own) = (at(&table, place.saturating_sub(1)), at(&table, place));
-        let number = place.saturating_add(1);
+    let pairs = (2_usize..).zip(table.iter().zip(table.iter().skip(1)));
+    if let Some((number, (before, own))) = pairs.map(|(i, (a, b))| (i, (a.0, b.0))).find(|(_, (a, b))| b <= a)
+    {
         return Err(law.wrong(&format!("displacement {number} is {own}, must be > {before} before it")));
     }
     match odd {
@@ -32,15 +33,8 @@ pub(super) fn points(
         _ if force != 0.0 => Err(law.wrong(&format!(
             "has the force {force} at 0, must have 0 where it is mirrored: write odd = false, or points below 0"
         ))),
-        _ => {
-            let below = table.iter().skip(1).rev().map(|&(x, force)| (-x, -force));
-            Ok(below.chain(table.iter().copied()).collect())
-        }
+        _ => Ok(mirrored(&table)),
     }
-}
-
-fn at(table: &[(f64, f64)], place: usize) -> f64 {
-    table.get(place).map_or(f64::NAN, |point| point.0)
 }
 
 /// The field `odd`.

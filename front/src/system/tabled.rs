@@ -2,7 +2,7 @@
 
 use super::built::NamedSystem;
 use super::digits::{Numbers, OfPassage, OfStates, OfSteady, extrapolated};
-use super::laws::{Refined, set_points};
+use super::laws::{Law, Refined, set_points};
 use serde::Serialize;
 use std::fmt;
 use stickslip::system::{Beyond, Error, Motion, State, Steady, System};
@@ -159,15 +159,11 @@ impl NamedSystem {
                     continue;
                 }
             };
-            let mut is_new = false;
-            for ((law, range), &left) in laws.iter().zip(&mut ranges).zip(&left) {
-                let reach = scout.reach(law.element).unwrap_or(0.0);
+            let shorter = |_: &Law, reach: f64, left: f64, range: f64| {
                 let due = BEYOND * reach.max(left);
-                if reach > 0.0 && *range > TOO_FAR * due {
-                    (*range, is_new) = (due, true);
-                }
-            }
-            if is_new {
+                (reach > 0.0 && range > TOO_FAR * due).then_some(due)
+            };
+            if shorten(laws, &mut ranges, &left, &scout, shorter) {
                 continue;
             }
             let all = at(0).and_then(|coarsest| Ok((coarsest, at(1)?, at(2)?)));
@@ -186,14 +182,11 @@ impl NamedSystem {
                 (coarsest, coarse, fine, fineness) = (coarse, fine, at(finer)?, finer);
             }
             // A table is as fine as its law is large at its end, so that a steep law must end where the motion does.
-            let mut is_new = false;
-            for ((law, range), &left) in laws.iter().zip(&mut ranges).zip(&left) {
-                let due = CLOSE * fine.reach(law.element).unwrap_or(0.0).max(left);
-                if due > 0.0 && due < *range && law.is_steep(due, *range) {
-                    (*range, is_new) = (due, true);
-                }
-            }
-            if is_new {
+            let shorter = |law: &Law, reach: f64, left: f64, range: f64| {
+                let due = CLOSE * reach.max(left);
+                (due > 0.0 && due < range && law.is_steep(due, range)).then_some(due)
+            };
+            if shorten(laws, &mut ranges, &left, &fine, shorter) {
                 continue;
             }
             let events_agree = coarse.is_like(&fine);
@@ -231,4 +224,22 @@ impl NamedSystem {
         }
         Ok(system)
     }
+}
+
+/// Ends tables nearer where `shorter` says so, by how far a motion goes and how far it has gone before: whether there is such a table.
+fn shorten<T: Numbers>(
+    laws: &[Law],
+    ranges: &mut [f64],
+    left: &[f64],
+    found: &T,
+    shorter: impl Fn(&Law, f64, f64, f64) -> Option<f64>,
+) -> bool {
+    let mut is_new = false;
+    for ((law, range), &left) in laws.iter().zip(ranges).zip(left) {
+        let reach = found.reach(law.element).unwrap_or(0.0);
+        if let Some(due) = shorter(law, reach, left, *range) {
+            (*range, is_new) = (due, true);
+        }
+    }
+    is_new
 }
