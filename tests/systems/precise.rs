@@ -390,8 +390,8 @@ fn the_growth_of_a_disturbance_is_that_of_two_motions_apart() {
     let times = |count: usize| (0..=count).map(|i| period * Mp::from_f64(i as f64)).collect::<Vec<_>>();
     let from = system.states(&State::rest(1), &times(8)).unwrap().pop().unwrap();
     let mut other = from.clone();
-    other.displacement[0] = other.displacement[0] + Mp::from_f64(1e-50);
-    other.velocity[0] = other.velocity[0] - Mp::from_f64(1.7e-50);
+    other.displacement[0] += Mp::from_f64(1e-50);
+    other.velocity[0] -= Mp::from_f64(1.7e-50);
     let both = [from, other].map(|start| system.states(&start, &times(found.followed - 8)).unwrap());
     let apart = both[0].iter().zip(&both[1]).map(|(a, b)| {
         let by = |a: Mp<4>, b: Mp<4>| (a - b).to_f64();
