@@ -16,8 +16,10 @@ mod grid;
 mod laws;
 mod named;
 mod node;
+mod one_body;
 mod sentence;
 mod signals;
+mod smooth;
 mod spring;
 mod tabled;
 mod unique;
@@ -29,6 +31,7 @@ pub use described::Described;
 pub use description::{Description, OfElement, OfSliding, OfThreshold};
 pub use file::{LONGEST, MOST_VALUES, decoded, parsed, units_of};
 pub use grid::{Asked, Axis, Cell, Grid, MOST_ROWS};
+pub use one_body::{OneBody, Repeated};
 pub use sentence::{
     border_verdict, digits_sentence, frequency_of, plural, sliding_verdict, steady_verdict, with_unit,
 };
