@@ -103,37 +103,44 @@ pub(crate) struct Rub<F> {
     slides: Option<F>,
 }
 
+/// A friction under a stop with an impulse.
+struct Loaded<F> {
+    element: usize,
+    stop: usize,
+    coefficient: F,
+    /// µ P.
+    most: F,
+}
+
 /// The impulses of the frictions under stops with these impulses, at a state whose velocities along the stops may have jumped already.
 pub(crate) fn rubs<F: Float>(
     system: &Assembly<F>,
     z: &[F],
     stops: &[(usize, F)],
 ) -> Result<Vec<Rub<F>>, usize> {
-    let (mut elements, mut bounds) = (Vec::new(), Vec::new());
-    for (i, stop) in system.under_stops() {
-        let impulse = stops.iter().find(|one| one.0 == stop).map_or(F::int(0), |one| one.1);
-        if let (true, Some(Rule::Contact { pieces, .. })) =
-            (impulse > F::int(0), system.parts.get(i).map(|part| &part.rule))
-        {
-            elements.push((i, stop));
-            bounds.push((pieces.first().map_or(F::int(0), |piece| piece.force), impulse));
+    let mut loaded: Vec<Loaded<F>> = Vec::new();
+    for (element, stop) in system.under_stops() {
+        let normal = stops.iter().find(|one| one.0 == stop).map_or(F::int(0), |one| one.1);
+        let rule = system.parts.get(element).map(|part| &part.rule);
+        if let (true, Some(Rule::Contact { pieces, .. })) = (normal > F::int(0), rule) {
+            let coefficient = pieces.first().map_or(F::int(0), |piece| piece.force);
+            loaded.push(Loaded { element, stop, coefficient, most: coefficient * normal });
         }
     }
-    let Some(&(first, _)) = elements.first() else { return Ok(Vec::new()) };
-    let parts = || elements.iter().filter_map(|&(i, _)| system.parts.get(i));
+    let Some(first) = loaded.first().map(|one| one.element) else { return Ok(Vec::new()) };
+    let places: Vec<usize> = loaded.iter().map(|one| one.element).collect();
+    let parts = || places.iter().filter_map(|&i| system.parts.get(i));
     let velocity: Vec<F> = parts().map(|part| dot(&part.velocity, z)).collect();
     let doubt: Vec<F> =
         parts().map(|part| size_of_dot(&part.velocity, z) * F::epsilon() * F::int(256)).collect();
-    let high: Vec<Option<F>> =
-        bounds.iter().map(|&(coefficient, impulse)| Some(coefficient * impulse)).collect();
-    let low: Vec<Option<F>> = high.iter().map(|high| high.map(|high| -high)).collect();
-    let places: Vec<usize> = elements.iter().map(|one| one.0).collect();
+    let high: Vec<Option<F>> = loaded.iter().map(|one| Some(one.most)).collect();
+    let low: Vec<Option<F>> = loaded.iter().map(|one| Some(-one.most)).collect();
     let impulses = least(&system.coupling_of(&places), &velocity, &doubt, &low, &high).map_err(|_| first)?;
-    let rub = |((&(element, stop), &(coefficient, normal)), &impulse): ((&(usize, usize), &(F, F)), &F)| {
-        let slides = (impulse.abs() >= coefficient * normal).then(|| coefficient.with_sign_of(impulse));
-        Rub { element, impulse, stop, slides }
+    let rub = |(one, &impulse): (&Loaded<F>, &F)| {
+        let slides = (impulse.abs() >= one.most).then(|| one.coefficient.with_sign_of(impulse));
+        Rub { element: one.element, impulse, stop: one.stop, slides }
     };
-    Ok(elements.iter().zip(&bounds).zip(&impulses).map(rub).collect())
+    Ok(loaded.iter().zip(&impulses).map(rub).collect())
 }
 
 /// The derivatives of velocities after the frictions of a blow: for each stop the change by its impulse, and for each friction that comes to rest

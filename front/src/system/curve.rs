@@ -30,7 +30,7 @@ const EVEN: f64 = 0.2;
 const POINTS: usize = 16;
 /// A bound of a table's error is at most so much above the greatest error that was measured, where it takes no more than so many enclosures
 /// a piece, each of an interval halved so often at most.
-const CLOSE: f64 = 1.05;
+const CLOSE: f64 = 1.01;
 const ENCLOSURES: usize = 400;
 const DEEPEST: u32 = 60;
 

@@ -146,18 +146,16 @@ impl Interval {
         let is_whole = n == n.floor() && n < 1e9;
         let is_even = is_whole && (n / 2.0) == (n / 2.0).floor();
         let of = |x: f64| libm::pow(x, n);
-        match () {
-            () if is_even => {
-                let low = if self.has_zero() { 0.0 } else { self.low.abs().min(self.high.abs()) };
-                let found = Self::rounded(of(low), of(self.size()), 4);
-                Self { low: found.low.max(0.0), ..found }
-            }
-            () if is_whole => self.rising(f64::NEG_INFINITY, f64::INFINITY, of),
-            () => {
-                let found = self.rising(0.0, f64::INFINITY, of);
-                Self { low: found.low.max(0.0), ..found }
-            }
+        if is_whole && !is_even {
+            return self.rising(f64::NEG_INFINITY, f64::INFINITY, of);
         }
+        let found = if is_even {
+            let low = if self.has_zero() { 0.0 } else { self.low.abs().min(self.high.abs()) };
+            Self::rounded(of(low), of(self.size()), 4)
+        } else {
+            self.rising(0.0, f64::INFINITY, of)
+        };
+        Self { low: found.low.max(0.0), ..found }
     }
 }
 

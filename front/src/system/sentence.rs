@@ -168,7 +168,8 @@ fn irregular_sentence(found: &Steady<f64>) -> &'static str {
     " The motion is irregular: small disturbances become as large as it is, so that rounding decides its states."
 }
 
-/// The part of a motion's velocity, or of its displacement, within which a stop is grazed.
+/// The part of a motion's displacement within which a stop is grazed. A body that goes so far beyond its gap has the root of that part of its
+/// velocity there.
 const GRAZED: f64 = 1e-6;
 
 /// The stops with a restitution that a motion only just reaches, or only just misses.
@@ -185,7 +186,7 @@ fn grazing_sentence(described: &Described, motion: &Motion<f64>) -> String {
         }
         let weakest = own().filter_map(|event| event.velocities).map(|pair| pair.0).reduce(f64::min);
         let is_grazed = match weakest {
-            Some(weakest) => weakest <= GRAZED * speed,
+            Some(weakest) => weakest <= GRAZED.sqrt() * speed,
             None => {
                 let far = |(i, b): (usize, &f64)| {
                     let list = if *b > 0.0 { &motion.max_displacement } else { &motion.min_displacement };

@@ -10,7 +10,12 @@ const RESTITUTION: f64 = 0.6;
 
 /// `x″ + 2ζx′ + x = cos Ωt` with a stop: the verdict on its steady motion, and the motion.
 fn verdict(omega: f64, gap: f64) -> (String, Steady<f64>) {
+    // The start is that of the linear motion, less a little: others may lead to a motion with blows.
+    let gain = 1.0 / (1.0 - omega * omega).hypot(2.0 * DAMPING * omega);
+    let phase = (2.0 * DAMPING * omega).atan2(1.0 - omega * omega);
+    let (x, v) = (0.999 * gain * phase.cos(), 0.999 * gain * omega * phase.sin());
     let value = json!({
+        "start": {"displacement": [x], "velocity": [v]},
         "mass": [[1]], "damping": [[2.0 * DAMPING]], "stiffness": [[1]],
         "elements": [{"type": "stop", "name": "wall", "direction": [1], "gap": gap, "restitution": RESTITUTION}],
         "harmonics": [{"frequency": omega, "cos": [1]}],
@@ -46,7 +51,7 @@ fn a_blow_of_hardly_any_velocity() {
     let decay = (-DAMPING * std::f64::consts::TAU / omega).exp();
     let factor = (RESTITUTION - (1.0 + RESTITUTION) / (1.0 + decay)).abs();
     let mut weakest = f64::INFINITY;
-    for (part, doubt, grazes) in [(1e-4, 1e-9, false), (1e-8, 1e-6, false), (1e-14, 0.3, true)] {
+    for (part, doubt, grazes) in [(1e-4, 1e-9, false), (1e-6, 1e-9, false), (1e-8, 1e-6, true)] {
         let gap = amplitude * (1.0 - part);
         let (text, steady) = verdict(omega, gap);
         let due = omega * (amplitude * amplitude - gap * gap).sqrt() / factor;
@@ -60,16 +65,11 @@ fn a_blow_of_hardly_any_velocity() {
         assert!(blows.len() == 1 && steady.periods == 1, "{part}: {text} {:?}", steady.motion.events);
         assert!((blows[0] / due - 1.0).abs() < doubt, "{part}: {} {due}", blows[0]);
         assert_eq!(text.contains(SAYS), grazes, "{part}: {} of {}: {text}", blows[0], amplitude * omega);
-        if !grazes {
-            for (re, im) in &steady.multipliers {
-                assert!(
-                    (re.hypot(*im) / (decay * RESTITUTION) - 1.0).abs() < 1e-3,
-                    "{:?}",
-                    steady.multipliers
-                );
-            }
+        for (re, im) in &steady.multipliers {
+            let due = decay * RESTITUTION;
+            assert!((re.hypot(*im) / due - 1.0).abs() < 1e-3, "{:?}", steady.multipliers);
         }
         weakest = weakest.min(blows[0] / (amplitude * omega));
     }
-    assert!(weakest < 1e-6, "{weakest}");
+    assert!(weakest < 1e-3, "{weakest}");
 }
