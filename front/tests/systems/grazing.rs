@@ -10,10 +10,10 @@ const RESTITUTION: f64 = 0.6;
 
 /// `x″ + 2ζx′ + x = cos Ωt` with a stop: the verdict on its steady motion, and the motion.
 fn verdict(omega: f64, gap: f64) -> (String, Steady<f64>) {
-    // The start is that of the linear motion, less a little: others may lead to a motion with blows.
+    // The start is that of the linear motion: others overshoot, and may lead to a motion with blows.
     let gain = 1.0 / (1.0 - omega * omega).hypot(2.0 * DAMPING * omega);
     let phase = (2.0 * DAMPING * omega).atan2(1.0 - omega * omega);
-    let (x, v) = (0.999 * gain * phase.cos(), 0.999 * gain * omega * phase.sin());
+    let (x, v) = (gain * phase.cos(), gain * omega * phase.sin());
     let value = json!({
         "start": {"displacement": [x], "velocity": [v]},
         "mass": [[1]], "damping": [[2.0 * DAMPING]], "stiffness": [[1]],

@@ -247,7 +247,7 @@ fn multipliers_go_through_the_friction_of_a_blow() {
         if !is_short || blows == 0 || !is_clear {
             continue;
         }
-        let map = |from: &[f64]| machine.followed(from, found.period, 0.002).0;
+        let map = |from: &[f64]| machine.followed(from, found.period, 0.005).0;
         let size = first.iter().fold(0.1_f64, |most, x| most.max(x.abs()));
         let back = map(&first);
         let by = back.iter().zip(&first).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
