@@ -61,6 +61,9 @@ impl<F: Float> Part<F> {
     /// The direction in which a contact slides on a side that travels, `sgn(−V)`, with r and r′ there.
     pub(super) fn sliding(&self) -> Option<(F, F, F)> {
         let Rule::Contact { pieces, .. } = &self.rule else { return None };
+        if self.under.is_some() {
+            return None;
+        }
         let velocity = *self.velocity.last()?;
         if velocity == F::int(0) {
             return None;

@@ -444,39 +444,44 @@ impl Builder<'_> {
         let (direction, _) = self.direction(fields)?;
         let name = self.name(fields)?;
         let gap = fields.required("gap")?.quantity(Of::Length)?;
-        let elastic = ["stiffness", "damping", "coefficient", "along", "peak", "static_ratio"];
-        if let Some(restitution) = restitution(fields, &elastic, &["name"])? {
-            fields.end()?;
-            let (moves, kind) = (Signal::constant(0.0), Kind::HardStop { gap, restitution });
-            self.model.elements.push(Element { name, direction, moves, kind });
-            return Ok(());
-        }
-        let stiffness = fields.required("stiffness")?.quantity(Of::Stiffness)?;
-        let damping = fields.quantity_or("damping", Of::Damping, 0.0)?;
-        let (along, ratio) = (fields.get("along"), peak(fields)?);
+        let friction = ["coefficient", "along", "peak", "static_ratio"];
+        let kind = match restitution(fields, &["stiffness", "damping"], &[&["name"], &friction[..]].concat())?
+        {
+            Some(restitution) => Kind::HardStop { gap, restitution },
+            None => {
+                let stiffness = fields.required("stiffness")?.quantity(Of::Stiffness)?;
+                Kind::Stop { gap, stiffness, damping: fields.quantity_or("damping", Of::Damping, 0.0)? }
+            }
+        };
+        let (along, peak) = (fields.get("along"), peak(fields)?);
         if let (Some(node), None) = (&along, fields.get("coefficient")) {
             return Err(node.wrong("needs the coefficient of a friction"));
         }
         let friction = match fields.get("coefficient") {
-            Some(node) if damping != 0.0 => {
-                return Err(node.wrong(
-                    "must be left out of a stop with damping: its force, and with it the friction, would begin at once",
-                ));
-            }
             Some(node) => {
                 let along = along.map_or_else(|| fields.required("along"), Ok)?;
                 let along = self.direction_of(&along)?.0;
-                let law = Law::constant(node.not_negative(Of::Ratio)?);
-                let displacement = direction.iter().map(|b| stiffness * b).collect();
-                let signal = Signal::constant(-(stiffness * gap));
-                let normal = Some(Normal { signal, displacement, velocity: Vec::new() });
-                Some((along, Kind::Contact { law, peak: ratio, normal }))
+                let coefficient = node.not_negative(Of::Ratio)?;
+                let under = match kind {
+                    Kind::Stop { damping, .. } if damping != 0.0 => {
+                        return Err(node.wrong(
+                            "must be left out of a stop with damping: its force, and with it the friction, would begin at once",
+                        ));
+                    }
+                    Kind::Stop { stiffness, .. } => {
+                        let displacement = direction.iter().map(|b| stiffness * b).collect();
+                        let signal = Signal::constant(-(stiffness * gap));
+                        let normal = Some(Normal { signal, displacement, velocity: Vec::new() });
+                        Kind::Contact { law: Law::constant(coefficient), peak, normal }
+                    }
+                    _ => Kind::UnderStop { stop: self.model.elements.len(), coefficient, peak },
+                };
+                Some((along, under))
             }
             None => None,
         };
         fields.end()?;
         let moves = Signal::constant(0.0);
-        let kind = Kind::Stop { gap, stiffness, damping };
         self.model.elements.push(Element { name: name.clone(), direction, moves: moves.clone(), kind });
         if let Some((direction, kind)) = friction {
             let name = format!("{name} friction");

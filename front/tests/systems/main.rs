@@ -4,6 +4,7 @@
 mod bounds;
 mod curves;
 mod drives;
+mod grazing;
 mod hostile;
 mod prescribed;
 mod schema;
