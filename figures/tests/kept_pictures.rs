@@ -319,14 +319,16 @@ fn a_png_is_drawn_with_its_words() {
     assert!(png_of_svg(&svg, 0).is_err());
 }
 
-/// A page has the size of the drawing in points, and as many filled outlines as the drawing has areas and letters.
+/// A page has the size of the drawing in points, its lines, and its texts as glyphs whose meaning is told.
 #[cfg(feature = "png")]
 #[test]
-fn a_pdf_is_a_page_of_outlines() {
+fn a_pdf_has_the_lines_and_the_texts_of_the_drawing() {
+    use std::collections::{BTreeMap, BTreeSet};
     use std::io::Read;
     use stickslip_draw::pdf_of_svg;
     let figure = figure("9a").unwrap();
-    let page = pdf_of_svg(&figure.svg_of_size((600, 400)).unwrap()).unwrap();
+    let svg = figure.svg_of_size((600, 400)).unwrap();
+    let page = pdf_of_svg(&svg).unwrap();
     let place = |part: &[u8]| page.windows(part.len()).position(|own| own == part).unwrap();
     let head = String::from_utf8_lossy(&page[..place(b"stream")]).into_owned();
     assert!(head.starts_with("%PDF-1.4\n") && head.contains("/MediaBox[0 0 450 300]"), "{head}");
@@ -334,22 +336,65 @@ fn a_pdf_is_a_page_of_outlines() {
     let tail = String::from_utf8_lossy(&page[place(b"xref\n")..]).into_owned();
     let last: usize = tail.lines().rev().nth(1).unwrap().parse().unwrap();
     assert_eq!(last, place(b"xref\n"));
-    for (line, index) in tail.lines().skip(3).take(4).zip(1..) {
+    let mut objects = BTreeMap::new();
+    for (line, index) in tail.lines().skip(3).take(9).zip(1..) {
         let at: usize = line[..10].parse().unwrap();
         assert!(page[at..].starts_with(format!("{index} 0 obj\n").as_bytes()), "{line}");
+        objects.insert(index, at);
     }
-    let (from, to) = (place(b"stream\n") + 7, place(b"\nendstream"));
-    let mut content = String::new();
-    flate2::read::ZlibDecoder::new(&page[from..to]).read_to_string(&mut content).unwrap();
+    let stream = |index: i32| {
+        let own = &page[objects[&index]..];
+        let of = |part: &[u8]| own.windows(part.len()).position(|bytes| bytes == part).unwrap();
+        let mut content = Vec::new();
+        flate2::read::ZlibDecoder::new(&own[of(b"stream\n") + 7..of(b"\nendstream")])
+            .read_to_end(&mut content)
+            .unwrap();
+        content
+    };
+    let content = String::from_utf8(stream(4)).unwrap();
     let count =
         |operator: &str| content.lines().filter(|line| line.split(' ').next_back() == Some(operator)).count();
-    let svg = figure.svg_of_size((600, 400)).unwrap();
-    let (strokes, texts) = (svg.matches("<polyline").count(), svg.matches("<text").count());
-    assert!(count("S") >= strokes && count("f") > texts && count("c") > 200, "{} {}", count("S"), count("f"));
+    assert!(count("S") >= svg.matches("<polyline").count(), "{}", count("S"));
+    // The meaning of each glyph, in UTF-16.
+    let meanings = String::from_utf8(stream(9)).unwrap();
+    let meaning: BTreeMap<&str, String> = meanings
+        .lines()
+        .filter_map(|line| line.strip_prefix('<')?.strip_suffix('>')?.split_once("><"))
+        .filter(|(_, to)| *to != "ffff")
+        .map(|(glyph, to)| {
+            let units = to.as_bytes().chunks(4).map(|unit| std::str::from_utf8(unit).unwrap());
+            let units: Vec<u16> = units.map(|unit| u16::from_str_radix(unit, 16).unwrap()).collect();
+            (glyph, String::from_utf16(&units).unwrap())
+        })
+        .collect();
+    // Each part of a text of the drawing is one of the page.
+    let texts: BTreeSet<String> = content
+        .split("BT\n")
+        .skip(1)
+        .map(|text| {
+            let glyphs =
+                text.split("ET\n").next().unwrap().lines().filter_map(|line| line.strip_suffix("> Tj"));
+            glyphs.map(|glyph| meaning[&glyph[1..]].as_str()).collect::<String>().trim().to_owned()
+        })
+        .collect();
+    let parts = svg.split("<text").skip(1).flat_map(|text| {
+        let inner = text.split_once('>').unwrap().1.split_once("</text>").unwrap().0;
+        inner
+            .split('<')
+            .map(|part| part.split_once('>').map_or(part, |(_, after)| after).trim())
+            .collect::<Vec<_>>()
+    });
+    let parts: BTreeSet<String> =
+        parts.filter(|part| !part.is_empty()).map(|part| part.replace("&lt;", "<")).collect();
+    assert_eq!(texts, parts);
+    assert!(texts.len() > 10 && texts.iter().any(|text| text.contains('ω')), "{texts:?}");
+    // The font is a part of DejaVu Sans.
+    assert!(stream(8).starts_with(&[0, 1, 0, 0]) && stream(8).len() < 40_000, "{}", stream(8).len());
     // Every number of the page lies in the drawing, whose pixels the first line turns into points.
     assert!(content.starts_with("0.75 0 0 -0.75 0 300 cm\n"));
-    for line in content.lines().filter(|line| line.ends_with(" l") || line.ends_with(" m")) {
-        let [x, y] = [0, 1].map(|i| line.split(' ').nth(i).unwrap().parse::<f64>().unwrap());
+    for line in content.lines().filter(|line| [" l", " m", " Tm"].iter().any(|end| line.ends_with(end))) {
+        let numbers: Vec<f64> = line.split(' ').filter_map(|x| x.parse().ok()).collect();
+        let [x, y] = numbers[numbers.len() - 2..] else { panic!("{line}") };
         assert!((-1.0..=601.0).contains(&x) && (-1.0..=401.0).contains(&y), "{line}");
     }
 }

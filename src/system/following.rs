@@ -10,6 +10,10 @@
 //! below 2⁻²⁴, so that its square is rounding.
 //!
 //! A motion that changes by no more than rounding in a period, and to which Newton's method has nothing to add, has arrived.
+//!
+//! **Rounding on the way.** A fixed point is right whatever rounding does, but which of several a start leads to is not, where the way is
+//! chaotic for a while. So a disturbance v of the motion is carried along, `v ← J v`, and the greatest factor is kept by which it
+//! grew between any two instants, in units of the motion's sizes: rounding errors of each instant grow so.
 
 use super::assembly::Assembly;
 use super::error::Error;
@@ -49,12 +53,47 @@ pub(super) struct Following<'a, F> {
     pub(super) states: VecDeque<Vec<F>>,
     pub(super) events: VecDeque<Vec<Event<F>>>,
     pub(super) sizes: [F; 3],
+    /// The greatest sizes since they were last asked for.
+    greatest: [F; 3],
     pub(super) drift: Vec<F>,
     /// The displacement that the drift of all periods adds up to.
     moved: Vec<F>,
     pub(super) followed: usize,
+    disturbance: Disturbance<F>,
     most_work: u64,
     pub(super) end: Option<End>,
+}
+
+/// A small disturbance of the motion that is followed.
+struct Disturbance<F> {
+    /// None before the first period that it is followed in, and after one that ended it.
+    now: Option<Vec<F>>,
+    /// The logarithms of what it is divided by, of the smallest size that it had, and of the greatest factor by which it grew.
+    scale: f64,
+    smallest: f64,
+    growth: f64,
+}
+
+impl<F: Float> Disturbance<F> {
+    /// The periods before it is followed: within them rounding stays far below the motion, and most motions have settled.
+    const FROM: usize = 8;
+
+    const NONE: Self = Self { now: None, scale: 0.0, smallest: f64::INFINITY, growth: 0.0 };
+
+    /// After a period, with what the map's derivative has made of it.
+    fn advance(&mut self, map: &PeriodMap<'_, F>, sizes: &[F; 3], to: Vec<F>) {
+        let by = map.scaled(to.clone(), sizes).iter().fold(0.0, |sum: f64, x| sum.hypot(x.to_f64()));
+        if !(by > 0.0 && by.is_finite()) {
+            // Contacts at rest have ended it: errors begin anew.
+            *self = Self { growth: self.growth, ..Self::NONE };
+            return;
+        }
+        self.scale += by.ln();
+        self.smallest = self.smallest.min(self.scale);
+        self.growth = self.growth.max(self.scale - self.smallest);
+        let inverse = F::from_f64(1.0 / by);
+        self.now = Some(to.into_iter().map(|x| x * inverse).collect());
+    }
 }
 
 impl<'a, F: Float> Following<'a, F> {
@@ -64,8 +103,20 @@ impl<'a, F: Float> Following<'a, F> {
         let drift = alloc::vec![F::int(0); system.n];
         let moved = drift.clone();
         let most_work = most_steps(system).saturating_mul(MOST_WORK);
-        let sizes = [F::int(0); 3];
-        Self { map, states, events: VecDeque::new(), sizes, drift, moved, followed: 0, most_work, end: None }
+        let (sizes, greatest) = ([F::int(0); 3], [F::int(0); 3]);
+        Self {
+            map,
+            states,
+            events: VecDeque::new(),
+            sizes,
+            greatest,
+            drift,
+            moved,
+            followed: 0,
+            disturbance: Disturbance::NONE,
+            most_work,
+            end: None,
+        }
     }
 
     /// The state now.
@@ -82,9 +133,20 @@ impl<'a, F: Float> Following<'a, F> {
             return Ok(None);
         }
         let before = self.map.follower.saved();
-        match self.map.advance(None, false) {
-            Ok(mapped) => {
+        let is_disturbed = self.followed >= Disturbance::<F>::FROM;
+        let disturbed = is_disturbed.then(|| {
+            let now = self.disturbance.now.get_or_insert_with(|| self.map.disturbance(&self.sizes));
+            alloc::vec![now.clone()]
+        });
+        match self.map.advance(disturbed, false) {
+            Ok(mut mapped) => {
                 self.sizes = mapped.sizes;
+                for (greatest, &size) in self.greatest.iter_mut().zip(&mapped.sizes) {
+                    *greatest = greatest.or_larger(size);
+                }
+                if let Some(to) = mapped.tangent.pop() {
+                    self.disturbance.advance(&self.map, &mapped.sizes, to);
+                }
                 self.drift.clone_from(&mapped.drift);
                 add_times(&mut self.moved, F::int(1), &mapped.drift);
                 self.followed += 1;
@@ -109,6 +171,12 @@ impl<'a, F: Float> Following<'a, F> {
             }
             Err(error) => Err(error),
         }
+    }
+
+    /// The greatest sizes of displacements, velocities and forces since this was last asked for. One period tells nothing of growth: those
+    /// of an irregular motion differ by any factor.
+    pub(super) fn take_greatest(&mut self) -> [F; 3] {
+        core::mem::replace(&mut self.greatest, [F::int(0); 3])
     }
 
     /// The distance of the state now from that some periods before.
@@ -260,6 +328,7 @@ impl<'a, F: Float> Following<'a, F> {
             change: F::int(0),
             decay: F::int(0),
             followed: self.followed,
+            disturbance_growth: self.disturbance.growth.exp().min(1.0 / F::epsilon().to_f64()),
         }
     }
 

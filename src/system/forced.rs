@@ -17,7 +17,8 @@ const MOST_PERIODS: usize = 2048;
 /// The most steps of a period of the loads.
 const MOST_STEPS: usize = 250_000;
 
-/// A measure of a motion at a number of periods: the sizes of displacements and velocities, and how nearly it repeats itself.
+/// A measure of a motion at a number of periods: the greatest displacements and velocities since the mark before, and how nearly it
+/// repeats itself.
 struct Mark<F> {
     followed: usize,
     sizes: [F; 3],
@@ -60,7 +61,8 @@ pub(crate) fn steady<'a, F: Float>(
         }
         let followed = following.followed;
         if followed >= marks.last().map_or(MOST_PERIODS / 8, |mark| 2 * mark.followed) {
-            marks.push(Mark { followed, sizes: following.sizes, change: following.recurrence() });
+            let (sizes, change) = (following.take_greatest(), following.recurrence());
+            marks.push(Mark { followed, sizes, change });
             let falls =
                 matches!(marks.as_slice(), [.., a, b] if b.change * F::int(33) <= a.change * F::int(32));
             if followed >= MOST_PERIODS && (!falls || grows(&marks)) {

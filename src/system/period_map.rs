@@ -12,7 +12,7 @@ use super::error::Error;
 use super::events::{Event, EventKind, Stretch, Watch};
 use super::first_passage::integer;
 use super::follow::Follower;
-use super::matrix::{clear, dot};
+use super::matrix::{add_times, clear, dot};
 use super::mode::{Mode, places, yields};
 use super::model::State;
 use super::motion::{Motion, Observer, state};
@@ -300,6 +300,17 @@ impl<'a, F: Float> PeriodMap<'a, F> {
         columns
     }
 
+    /// A disturbance that the present branch admits, in a direction that no symmetry knows: the parts are those of the golden section.
+    pub(super) fn disturbance(&self, sizes: &[F; 3]) -> Vec<F> {
+        let golden = (F::int(5).sqrt() - F::int(1)) / F::int(2);
+        let mut sum = vec![F::int(0); self.system.free];
+        for (i, column) in self.directions().iter().enumerate() {
+            let turn = golden * integer(i + 1);
+            add_times(&mut sum, (F::ratio(1, 2) + turn - turn.floor()) * self.size_at(sizes, i), column);
+        }
+        sum
+    }
+
     /// Whether an entry of the state is prescribed.
     fn is_moved(&self, i: usize) -> bool {
         let n = self.system.n;
@@ -320,9 +331,9 @@ impl<'a, F: Float> PeriodMap<'a, F> {
             let mut row = vec![F::int(0); self.system.free];
             let along = beside(self.system, i, &touching);
             match (mode, &part.rule) {
-                (Mode::Stuck, _) => super::matrix::add_times(&mut row, F::int(1), &along),
+                (Mode::Stuck, _) => add_times(&mut row, F::int(1), &along),
                 (Mode::Holds, Rule::Elastic { stiffness, place, .. }) => {
-                    super::matrix::add_times(&mut row, -*stiffness, &along);
+                    add_times(&mut row, -*stiffness, &along);
                     if let Some(force) = row.get_mut(*place) {
                         *force = F::int(1);
                     }

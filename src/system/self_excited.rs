@@ -60,7 +60,8 @@ pub(crate) fn self_excited<'a, F: Float>(
             }
         }
         spans += 1 << doubling;
-        let size = if following.map.drift.count() > 0 { following.sizes[1] } else { following.sizes[0] };
+        let [displacement, velocity, _] = following.take_greatest();
+        let size = if following.map.drift.count() > 0 { velocity } else { displacement };
         sizes.push(size);
         if sizes.len() >= DOUBLINGS && sizes.windows(2).rev().take(3).all(grown) {
             break;

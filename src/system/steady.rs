@@ -54,4 +54,10 @@ pub struct Steady<F> {
     pub decay: F,
     /// The number of periods that were followed; without loads, of spans of 32 periods of the lowest natural frequency.
     pub followed: usize,
+    /// The greatest factor by which a small disturbance of the motion grew between two instants while it was followed, in units of the
+    /// motion's sizes; 1 where it never grew, and where the motion was found within 8 periods. It is at most
+    /// `1/F::epsilon()`, by which a rounding error becomes as large as the motion: near it rounding chooses to which of several motions this
+    /// start leads, and the states of an unsettled motion are no prediction. It is an estimate: one disturbance is followed, in a direction
+    /// that no symmetry knows.
+    pub disturbance_growth: f64,
 }

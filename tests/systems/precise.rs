@@ -378,3 +378,31 @@ fn the_border_at_128_bits() {
         assert!(by.abs() < 1e-11, "{seen:?}: doubles by {by:e}");
     }
 }
+
+/// The growth of a disturbance on the way to a motion is that of the distance of two motions, so near at first that they stay near.
+#[test]
+fn the_growth_of_a_disturbance_is_that_of_two_motions_apart() {
+    let given = crate::verdicts::striking([0.12, 0.04, 0.1, 0.81], 2.5);
+    let found = System::new(&given).unwrap().steady(&State::rest(1)).unwrap();
+    assert_eq!((found.kind, found.periods), (SteadyKind::Periodic, 8));
+    let system = System::new(&model::<Mp<4>>(&given)).unwrap();
+    let period = Mp::from_f64(found.period) / Mp::from_f64(8.0);
+    let times = |count: usize| (0..=count).map(|i| period * Mp::from_f64(i as f64)).collect::<Vec<_>>();
+    let from = system.states(&State::rest(1), &times(8)).unwrap().pop().unwrap();
+    let mut other = from.clone();
+    other.displacement[0] += Mp::from_f64(1e-50);
+    other.velocity[0] -= Mp::from_f64(1.7e-50);
+    let both = [from, other].map(|start| system.states(&start, &times(found.followed - 8)).unwrap());
+    let apart = both[0].iter().zip(&both[1]).map(|(a, b)| {
+        let by = |a: Mp<4>, b: Mp<4>| (a - b).to_f64();
+        by(a.displacement[0], b.displacement[0]).hypot(by(a.velocity[0], b.velocity[0]))
+    });
+    let (mut smallest, mut growth) = (f64::INFINITY, 1.0_f64);
+    for by in apart {
+        smallest = smallest.min(by);
+        growth = growth.max(by / smallest);
+    }
+    // The units of the disturbance are the sizes of each period, which differ by a few times.
+    let by = found.disturbance_growth / growth;
+    assert!(growth > 1e8 && (0.1..10.0).contains(&by), "{growth:e} {:e}", found.disturbance_growth);
+}

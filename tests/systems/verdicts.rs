@@ -218,3 +218,36 @@ fn a_period_of_too_many_steps_is_refused() {
         assert!(why.starts_with("period of the loads must have at most 250000 steps"), "{why}");
     }
 }
+
+/// A body that rubs on the ground and strikes a stop: with (damping, friction, gap, restitution).
+pub(crate) fn striking([damping, friction, gap, restitution]: [f64; 4], frequency: f64) -> Model<f64> {
+    let element = |name: &str, kind| Element {
+        name: name.into(),
+        direction: vec![1.0],
+        moves: Signal::constant(0.0),
+        kind,
+    };
+    let law = Law { points: vec![(0.0, friction)] };
+    Model {
+        stiffness: vec![vec![1.0]],
+        elements: vec![
+            element("guide", Kind::Contact { law, peak: 1.0, normal: None }),
+            element("stop", Kind::HardStop { gap, restitution }),
+        ],
+        ..linear(frequency, damping)
+    }
+}
+
+/// An irregular motion between a spring and a stop, which dampers and friction bound, does not grow, whatever two of its periods say.
+#[test]
+fn an_irregular_motion_does_not_grow() {
+    let system = System::new(&striking([0.11, 0.19, 0.06, 0.72], 4.0)).unwrap();
+    let found = system.steady(&State::rest(1)).unwrap();
+    assert_eq!(found.kind, SteadyKind::Unsettled);
+    assert_eq!(found.disturbance_growth, 1.0 / f64::EPSILON);
+    let times: Vec<f64> = (0..20_000).map(f64::from).collect();
+    let reach = |states: &[State<f64>]| states.iter().map(|s| s.displacement[0].abs()).fold(0.0, f64::max);
+    let states = system.states(&State::rest(1), &times).unwrap();
+    let (before, after) = states.split_at(10_000);
+    assert!((reach(after) / reach(before) - 1.0).abs() < 0.2, "{} {}", reach(before), reach(after));
+}

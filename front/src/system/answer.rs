@@ -87,6 +87,9 @@ pub struct Answer<'a> {
     periods: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
     periods_followed: Option<usize>,
+    /// The greatest factor by which a small disturbance grew on the way to the motion.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    disturbance_growth: Option<f64>,
     /// Where laws are curves.
     #[serde(skip_serializing_if = "Option::is_none")]
     laws: Option<&'a Digits>,
@@ -207,6 +210,7 @@ impl<'a> Answer<'a> {
             decay: None,
             periods: None,
             periods_followed: None,
+            disturbance_growth: None,
             laws: None,
             units,
         }
@@ -227,6 +231,7 @@ impl<'a> Answer<'a> {
             period: Some(found.period),
             periods: Some(found.periods),
             periods_followed: Some(found.followed),
+            disturbance_growth: Some(found.disturbance_growth),
             drift: Some(&found.drift),
             mean_velocity: Some(&found.mean_velocity),
             multipliers: Some(&found.multipliers),

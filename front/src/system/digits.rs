@@ -5,7 +5,7 @@
 //! and no less than a 32nd of that of c, |c − b|/3, is taken: a number may have little error by chance. For the same reason no error is taken
 //! to be less than a tenth of the largest one of displacements and velocities, each over the greatest of its kind.
 //!
-//! A number is printed to the last digit whose unit is at least twice its error, so that the digits are right but for one unit of the last.
+//! A number is printed to the last digit whose unit is at least eight times its error, so that the digits are right but for one unit of the last.
 
 use stickslip::system::{Motion, State, Steady};
 
@@ -295,9 +295,9 @@ mod tests {
     #[test]
     fn numbers_have_the_digits_of_their_errors() {
         for (x, error, due) in [
-            (1.768_518, 4e-6, 1.768_52),
-            (1.768_518, 5e-6, 1.768_52),
-            (1.768_518, 6e-6, 1.7685),
+            (1.768_518, 1e-6, 1.768_52),
+            (1.768_518, 1.2e-6, 1.768_52),
+            (1.768_518, 1.3e-6, 1.7685),
             (1_234.5, 6.0, 1200.0),
             (-0.000_4, 1e-2, 0.0),
             (3.0, 0.0, 3.0),

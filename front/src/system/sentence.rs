@@ -118,20 +118,40 @@ pub fn steady_verdict(described: &Described, found: &Steady<f64>) -> String {
                 if stops == 0 { "no rest".to_owned() } else { plural(stops, "rest", "rests") },
                 drift_sentence(described, found),
                 grazing_sentence(described, &found.motion)
-            )
+            ) + choice_sentence(found)
         }
-        SteadyKind::Rest => "Rest: nothing moves in the end.".to_owned(),
+        SteadyKind::Rest => format!("Rest: nothing moves in the end.{}", choice_sentence(found)),
         SteadyKind::Uniform => {
-            format!("Uniform: all velocities are constant.{}", drift_sentence(described, found))
+            let drift = drift_sentence(described, found);
+            format!("Uniform: all velocities are constant.{drift}{}", choice_sentence(found))
         }
         SteadyKind::Growing => "Growing: the motion grows without bound.".to_owned(),
         SteadyKind::Unsettled => format!(
             "Not settled after {} periods: the last of them changed the motion by {} of its size.{}",
             found.followed,
             digits(found.change),
-            decay_sentence(found)
+            decay_sentence(found) + irregular_sentence(found)
         ),
     }
+}
+
+/// The growth of a disturbance by which rounding errors become about a thousandth of the motion, enough to lead to another one.
+const CHOSEN_BY_ROUNDING: f64 = 1e12;
+
+/// Whether rounding may have chosen between this motion and others on the way to it.
+fn choice_sentence(found: &Steady<f64>) -> &'static str {
+    if found.disturbance_growth < CHOSEN_BY_ROUNDING {
+        return "";
+    }
+    " On the way to it rounding errors become as large as the motion: they may have chosen between it and other motions."
+}
+
+/// Whether rounding decides the states of a motion that does not settle.
+fn irregular_sentence(found: &Steady<f64>) -> &'static str {
+    if found.disturbance_growth < CHOSEN_BY_ROUNDING {
+        return "";
+    }
+    " The motion is irregular: small disturbances become as large as it is, so that rounding decides its states."
 }
 
 /// The part of a motion's velocity, or of its displacement, within which a stop is grazed.

@@ -371,7 +371,7 @@ class System:
         """The motion that the start leads to, by its period map; exact stops, no time step."""
         found = json.loads(self._handle.steady())
         multipliers = np.array([complex(re, im) for re, im in found["multipliers"]], dtype=np.complex128)
-        more = {name: found[name] for name in ("periods", "periods_followed", "change", "decay")}
+        more = {name: found[name] for name in ("periods", "periods_followed", "disturbance_growth", "change", "decay")}
         more.update({name: np.array(found[name], dtype=float) for name in ("drift", "mean_velocity")})
         more["multipliers"] = multipliers
         steady: SystemSteady = SystemSteady({**_motion(found, found["period"]), **more}).of_system(self)

@@ -238,6 +238,9 @@ class SystemSteady(SystemMotion):
     periods : int
         After how many periods of the loads the motion repeats itself.
     periods_followed : int
+    disturbance_growth : float
+        Greatest factor by which a small disturbance grew on the way to this motion; from about 1e12 on rounding may have chosen
+        between several motions to which the start leads.
     drift : array
         Displacement of each coordinate in a period that no force notices; 0 where springs hold the system.
     mean_velocity : array
@@ -251,6 +254,7 @@ class SystemSteady(SystemMotion):
 
     periods: int
     periods_followed: int
+    disturbance_growth: float
     drift: Floats
     mean_velocity: Floats
     multipliers: NDArray[np.complex128]

@@ -184,6 +184,28 @@ fn traces(matrix: &[[f64; 4]; 4]) -> [f64; 2] {
     [(0..4).map(|i| matrix[i][i]).sum(), (0..4).map(square).sum()]
 }
 
+/// The greatest factor by which the distance of two motions grows from the eighth period on.
+fn growth_of_small_steps(pair: Pair, period: f64, followed: u64) -> f64 {
+    let mut one = Stepped::new(pair, 0.0, [0.0; 4]);
+    let mut other = Stepped::new(pair, 0.0, [0.0; 4]);
+    let (mut smallest, mut growth) = (f64::INFINITY, 1.0_f64);
+    for count in 0..followed {
+        if count == 8 {
+            for (i, by) in [1.0, 0.7, -1.3, 0.9].into_iter().enumerate() {
+                other.state[i] += 1e-7 * by;
+            }
+        }
+        one.follow(period, STEPS / 10);
+        other.follow(period, STEPS / 10);
+        let apart = one.state.iter().zip(other.state).fold(0.0_f64, |sum, (a, b)| sum.hypot(a - b));
+        if count >= 8 && apart > 1e-12 {
+            smallest = smallest.min(apart);
+            growth = growth.max(apart / smallest);
+        }
+    }
+    growth
+}
+
 /// The steady motion: the one that the motion from rest goes to, its works one by one, and the multipliers of differences.
 #[test]
 fn steady_motions_of_systems_are_those_of_small_steps() {
@@ -206,6 +228,9 @@ fn steady_motions_of_systems_are_those_of_small_steps() {
         // The search ends where the motion has come nearer to its limit by a quarter or more.
         let nearer = distance(&limit.state) / distance(&[0.0; 4]);
         compared(&format!("{of} periods_followed"), nearer, 0.0, SmallSteps, 0.25);
+        let growth = number(&answer["disturbance_growth"]);
+        let seen = growth_of_small_steps(pair, period, followed);
+        compared(&format!("{of} disturbance_growth"), (growth / seen).ln(), 0.0, SmallSteps, 1.0);
         settle(&mut limit, period);
         for (ours, other) in start.into_iter().zip(limit.state) {
             compared(&format!("{of} start"), ours, other, SmallSteps, BOUND * (1.0 + other.abs()));
