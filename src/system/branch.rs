@@ -19,9 +19,10 @@ use super::equation::{Equation, fastest, pressing};
 use super::first_passage::{bernstein_of_rows, integer};
 use super::matrix::{Matrix, Sparse, add_times, dot, is_small};
 use super::mode::{Mode, sign};
-use super::propagator::{Bound, Propagator, exponential};
+use super::propagator::{Bound, Powers, Propagator, exponential};
 use super::tie::Tie;
 use crate::float::Float;
+use alloc::rc::Rc;
 use alloc::vec;
 use alloc::vec::Vec;
 use core::cell::OnceCell;
@@ -108,6 +109,8 @@ pub(crate) struct Branch<F> {
     pub(crate) step: F,
     /// e^{Ah}.
     pub(crate) whole: Propagator<F>,
+    /// The powers of its free part, which branches share where it is the same.
+    pub(crate) powers: Rc<Powers<F>>,
     /// The terms of the series of a small matrix.
     terms: Option<Propagator<F>>,
     /// e^{|A|h}.
@@ -231,7 +234,8 @@ impl<F: Float> Branch<F> {
         let degree = degree_of_full_accuracy::<F>();
         let transposed = a.transposed();
         // As where a contact slides the other way.
-        let (step, bound) = others.find(|b| b.a.has_sizes_of(&a)).map_or_else(
+        let other = others.find(|b| b.a.has_sizes_of(&a));
+        let (step, bound) = other.map_or_else(
             || {
                 let most = F::int(1) / fastest(system, &a);
                 let step = if most < longest { most } else { longest };
@@ -263,13 +267,14 @@ impl<F: Float> Branch<F> {
         let speed_errors = vec![OnceCell::new(); modes.len()];
         let mut terms = is_small::<F>(system.size).then(|| Propagator::zero(0, 0));
         let whole = Propagator::new(&transposed, system.free, step, degree, terms.as_mut());
-        let modes = modes.to_vec();
+        let powers = other.filter(|b| b.a.moves_as(&a, system.free)).map(|b| b.powers.clone());
         Self {
-            modes,
+            modes: modes.to_vec(),
             a,
             transposed,
             step,
             whole,
+            powers: powers.unwrap_or_else(|| Rc::new(Powers::new())),
             terms,
             bound,
             degree,
@@ -288,7 +293,8 @@ impl<F: Float> Branch<F> {
         let speeds = self.speed_errors.len() * self.whole.free.rows().count();
         let hull = self.hull.coefficients.entries() + self.hull.errors.entries();
         let terms = self.terms.as_ref().map_or(0, Propagator::entries);
-        let entries = self.whole.entries() + terms + self.bound.entries() + hull;
+        let powers = self.powers.entries();
+        let entries = self.whole.entries() + powers + terms + self.bound.entries() + hull;
         let tension = self.tension.iter().map(Vec::len).sum::<usize>();
         let sparse = 4 * self.a.rows().map(<[_]>::len).sum::<usize>();
         (guards + speeds + entries + tension + sparse) * size_of::<F>()

@@ -57,7 +57,10 @@ impl<F: Float> Branches<F> {
 
     /// Keeps a branch: its place.
     fn add(&mut self, branch: Branch<F>) -> usize {
-        self.bytes = self.bytes.saturating_add(branch.bytes());
+        // What has been asked of a branch since then is counted, too.
+        let bytes =
+            self.known.iter().map(|known| known.branch.bytes()).fold(branch.bytes(), usize::saturating_add);
+        self.bytes = bytes;
         while self.known.len() >= MOST_BRANCHES || self.bytes > MOST_BYTES {
             let oldest = self.known.iter().enumerate().min_by_key(|(_, known)| known.entered);
             let Some((place, _)) = oldest else { break };

@@ -84,6 +84,8 @@ pub(crate) struct Stretch<'a, F> {
     pub(crate) at: F,
     /// e^{At} over its time, where it is known.
     pub(crate) motion: Option<&'a Propagator<F>>,
+    /// Whether it is a whole step of the branch, which goes on.
+    pub(crate) is_whole: bool,
 }
 
 /// Watches nothing.

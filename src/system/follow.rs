@@ -431,7 +431,8 @@ impl<'a, F: Float> Follower<'a, F> {
             self.at_sample = false;
             let (from, to) = (&self.z, &self.after);
             let at = self.clock.value;
-            watch.stretch(system, &Stretch { branch, from, to, time: lasted, at, motion });
+            let is_whole = event.is_none() && whole;
+            watch.stretch(system, &Stretch { branch, from, to, time: lasted, at, motion, is_whole });
         }
         // A flight between small blows takes its time.
         if lasted > branch.step * F::exp2i(-24) || (is_near && lasted > F::int(0)) {

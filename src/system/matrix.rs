@@ -211,6 +211,13 @@ impl<F: Float> Sparse<F> {
         self.ends == other.ends && self.entries.iter().zip(&other.entries).all(same)
     }
 
+    /// Whether the leading rows and columns of another matrix are the same.
+    pub(crate) fn moves_as(&self, other: &Self, size: usize) -> bool {
+        let leading =
+            |row: &'_ [(usize, F)]| row.iter().take_while(|(j, _)| *j < size).copied().collect::<Vec<_>>();
+        self.rows().zip(other.rows()).take(size).all(|(a, b)| leading(a) == leading(b))
+    }
+
     /// `Σ |aⱼ xⱼ|` of a row.
     pub(crate) fn size_of(&self, row: usize, x: &[F]) -> F {
         let from = row.checked_sub(1).and_then(|above| self.ends.get(above)).copied().unwrap_or(0);
@@ -296,6 +303,13 @@ impl<F: Float> Matrix<F> {
             to.iter_mut().zip(from).for_each(|(to, &from)| *to = from);
         }
         matrix
+    }
+
+    /// Its first rows.
+    pub(crate) fn leading(&self, rows: usize) -> Self {
+        let mut items = self.items.clone();
+        items.truncate(rows * self.stride);
+        Self { columns: self.columns, stride: self.stride, items }
     }
 
     pub(crate) const fn columns(&self) -> usize {

@@ -8,7 +8,7 @@ use super::events::{Event, EventKind, Stretch, Watch};
 use super::first_passage::{greatest_above, integer, shorten, shortened};
 use super::follow::Follower;
 use super::levels::Sides;
-use super::matrix::{Matrix, Sum, add_times, dot, size_of_dot};
+use super::matrix::{Matrix, Sum, add_times, dot, entries, size_of_dot};
 use super::mode::{Mode, places};
 use super::model::State;
 use super::under::loaded;
@@ -95,7 +95,13 @@ pub(crate) struct Observer<F> {
     along: Vec<F>,
     /// `∫₀¹ sʲ sᵏ ds = 1/(j + k + 1)`.
     shares: Matrix<F>,
+    /// The entries of the rows of the loads, and of the dampers, that are not zero.
+    loads: Vec<Entries<F>>,
+    dampers: Vec<Entries<F>>,
 }
+
+/// Entries of a row with their columns.
+type Entries<F> = Vec<(usize, F)>;
 
 impl<F: Float> Observer<F> {
     pub(crate) fn new(system: &Assembly<F>, z: &[F]) -> Self {
@@ -119,6 +125,8 @@ impl<F: Float> Observer<F> {
             moments: Vec::new(),
             along: Vec::new(),
             shares: Matrix::zero(0, 0),
+            loads: system.load.rows().map(entries).collect(),
+            dampers: system.damping.rows().map(entries).collect(),
         }
     }
 
@@ -279,17 +287,12 @@ impl<F: Float> Observer<F> {
         if self.shares.columns() < count {
             self.shares = shares(count.next_multiple_of(8));
         }
-        let Self { entries, moments, along, shares, .. } = self;
-        let velocities = entries.get(system.n * count..).unwrap_or(&[]);
+        let Self { entries: all, moments, along, shares, .. } = self;
+        let velocities = all.get(system.n * count..).unwrap_or(&[]);
         moments.resize(system.n * count, F::int(0));
         for (moments, velocity) in moments.chunks_exact_mut(count).zip(velocities.chunks_exact(count)) {
             shares.transposed_of(velocity, moments);
         }
-        // ∫ (row · z) v dt, by the moments of v.
-        let work = |row: &[F], entries: &[F], moments: &[F]| {
-            let terms = row.iter().zip(entries.chunks_exact(count)).filter(|(x, _)| **x != F::int(0));
-            time * terms.fold(F::int(0), |sum, (&x, entry)| sum + x * dot(entry, moments))
-        };
         for ((part, tension), done) in system.parts.iter().zip(&branch.tension).zip(&mut self.work) {
             along.clear();
             along.resize(count, F::int(0));
@@ -298,17 +301,26 @@ impl<F: Float> Observer<F> {
                     add_times(along, b, moments);
                 }
             }
-            *done = *done + work(tension, entries, along);
+            let row = tension.iter().copied().enumerate().filter(|(_, x)| *x != F::int(0));
+            *done = *done + time * work(row, all, along, count);
         }
         for (i, moments) in moments.chunks_exact(count).enumerate() {
-            let damping = system.damping.row(i);
+            let [load, damper] =
+                [&self.loads, &self.dampers].map(|rows| rows.get(i).map_or(&[][..], Vec::as_slice));
             let drive = system.moved.iter().find(|driven| driven.coordinate == i);
-            let drive = drive.map(|driven| driving(system, branch, driven));
-            let load = drive.as_deref().unwrap_or_else(|| system.load.row(i));
-            self.load_work = self.load_work + work(load, entries, moments);
-            self.damper_work = self.damper_work + work(damping, velocities, moments);
+            let drive = drive.map(|driven| entries(&driving(system, branch, driven)));
+            let load = drive.as_deref().unwrap_or(load).iter().copied();
+            self.load_work = self.load_work + time * work(load, all, moments, count);
+            self.damper_work =
+                self.damper_work + time * work(damper.iter().copied(), velocities, moments, count);
         }
     }
+}
+
+/// `∫₀¹ (row · z) v ds`, by the Taylor coefficients of each entry of z and the moments of v.
+fn work<F: Float>(row: impl Iterator<Item = (usize, F)>, of: &[F], moments: &[F], count: usize) -> F {
+    let entry = |i: usize| of.get(i * count..(i + 1) * count).unwrap_or(&[]);
+    row.fold(F::int(0), |sum, (i, x)| sum + x * dot(entry(i), moments))
 }
 
 /// The row of the force that moves a coordinate as it is prescribed, with its loads: `m a + (C q′ + K q) + Σ b T`.

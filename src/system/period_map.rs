@@ -16,7 +16,9 @@ use super::matrix::{add_times, clear, dot};
 use super::mode::{Mode, places, yields};
 use super::model::State;
 use super::motion::{Motion, Observer, state};
+use super::propagator::Powers;
 use crate::float::Float;
+use alloc::rc::Rc;
 use alloc::vec;
 use alloc::vec::Vec;
 
@@ -32,6 +34,17 @@ struct Seen<F> {
     late: Vec<F>,
     observer: Option<Observer<F>>,
     buffer: Vec<F>,
+    /// Whole steps of one branch that have not moved the columns yet, with their number: many are one product.
+    pending: Option<(Rc<Powers<F>>, u32)>,
+}
+
+impl<F: Float> Seen<F> {
+    /// Moves the columns by the whole steps that are left.
+    fn catch_up(&mut self) {
+        if let (Some(tangent), Some((powers, times))) = (&mut self.tangent, self.pending.take()) {
+            powers.apply(times, tangent);
+        }
+    }
 }
 
 /// The parts of the state with one unit each: q, q′ and forces.
@@ -54,6 +67,23 @@ impl<F: Float> Watch<F> for Seen<F> {
             *size = size.or_larger(largest(block));
         }
         self.late.clear();
+        if self.tangent.is_none() {
+            return;
+        }
+        if stretch.is_whole {
+            match &mut self.pending {
+                Some((powers, times)) if Rc::ptr_eq(powers, &branch.powers) => {
+                    *times = times.saturating_add(1)
+                }
+                _ => {
+                    self.catch_up();
+                    branch.powers.begin(&branch.whole);
+                    self.pending = Some((branch.powers.clone(), 1));
+                }
+            }
+            return;
+        }
+        self.catch_up();
         let Some(tangent) = &mut self.tangent else { return };
         let part = stretch.motion.is_none().then(|| branch.free_motion(time, system.free));
         let Some(motion) = stretch.motion.map(|motion| &motion.free).or(part.as_ref()) else { return };
@@ -82,6 +112,7 @@ impl<F: Float> Watch<F> for Seen<F> {
     }
 
     fn changes(&mut self, guard: Option<&[F]>, reset: Option<&Reset<F>>, from: &[F], to: &[F]) {
+        self.catch_up();
         let tangent = self.tangent.get_or_insert_default();
         if let Some(guard) = guard {
             let speed = dot(guard, from);
@@ -158,8 +189,10 @@ impl<'a, F: Float> PeriodMap<'a, F> {
             late: Vec::new(),
             observer,
             buffer: Vec::new(),
+            pending: None,
         };
         let done = self.follower.run(self.period, &mut seen);
+        seen.catch_up();
         self.steps = self.steps.saturating_add(self.follower.renew());
         done?;
         let moved: Vec<F> = self.follower.z.iter().zip(&from).take(system.n).map(|(&a, &b)| a - b).collect();

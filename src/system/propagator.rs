@@ -9,6 +9,7 @@ use super::matrix::{Matrix, Sparse, add_times, dot};
 use crate::float::Float;
 use alloc::vec;
 use alloc::vec::Vec;
+use core::cell::RefCell;
 
 /// `(e^{At})ᵀ`.
 #[derive(Debug, Clone, PartialEq)]
@@ -90,6 +91,50 @@ impl<F: Float> Propagator<F> {
     }
 }
 
+/// The powers `E^(2^k)` of the free part of `e^{Ah}`, by which many whole steps are one: those that have been asked for.
+#[derive(Debug)]
+pub(crate) struct Powers<F> {
+    /// Transposed.
+    list: RefCell<Vec<Matrix<F>>>,
+}
+
+impl<F: Float> Powers<F> {
+    /// None yet.
+    pub(crate) const fn new() -> Self {
+        Self { list: RefCell::new(Vec::new()) }
+    }
+
+    /// Those of this step.
+    pub(crate) fn begin(&self, whole: &Propagator<F>) {
+        let mut list = self.list.borrow_mut();
+        if list.is_empty() {
+            list.push(whole.free.leading(whole.free.columns()));
+        }
+    }
+
+    /// Applies E so many times to vectors.
+    pub(crate) fn apply(&self, times: u32, vectors: &mut [Vec<F>]) {
+        let mut list = self.list.borrow_mut();
+        let mut to = vec![F::int(0); list.first().map_or(0, Matrix::columns)];
+        for k in 0..u32::BITS - times.leading_zeros() {
+            if let Some(last) = list.last().filter(|_| list.len() <= k as usize) {
+                let next = last.times(last);
+                list.push(next);
+            }
+            let Some(power) = list.get(k as usize).filter(|_| times >> k & 1 == 1) else { continue };
+            for vector in vectors.iter_mut() {
+                power.transposed_of(vector, &mut to);
+                vector.copy_from_slice(&to);
+            }
+        }
+    }
+
+    /// The number of entries in memory.
+    pub(crate) fn entries(&self) -> usize {
+        self.list.borrow().iter().map(Matrix::entries).sum()
+    }
+}
+
 /// A bound of `e^{|A|h}`, for products with rows from the left.
 #[derive(Debug, Clone)]
 pub(crate) struct Bound<F> {
@@ -155,4 +200,35 @@ pub(crate) fn exponential<F: Float>(
         keep(&term);
     }
     sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Thirteen steps at once are thirteen steps, one after the other.
+    #[test]
+    fn powers_are_as_many_steps() {
+        // An oscillator: q′ = v, v′ = −q − 0.1 v.
+        let rows = [vec![(1, 1.0)], vec![(0, -1.0), (1, -0.1)], vec![]];
+        let transposed = Sparse::new(3, rows.into_iter()).transposed();
+        let whole = Propagator::new(&transposed, 2, 0.4_f64, 20, None);
+        let powers = Powers::new();
+        powers.begin(&whole);
+        let mut found = [vec![1.0, 0.3], vec![-0.2, 2.0]];
+        let due = found.clone().map(|mut x| {
+            for _ in 0..13 {
+                let mut next = [0.0; 3];
+                whole.of(&[x[0], x[1], 0.0], &mut next);
+                x = next[..2].to_vec();
+            }
+            x
+        });
+        powers.apply(13, &mut found);
+        for (a, b) in found.iter().flatten().zip(due.iter().flatten()) {
+            assert!((a - b).abs() < 1e-15, "{a} {b}");
+        }
+        // Those with the exponents 1, 2, 4 and 8.
+        assert_eq!(powers.list.borrow().len(), 4);
+    }
 }
