@@ -45,6 +45,7 @@ mod following;
 mod forced;
 #[cfg(feature = "rayon")]
 mod grid;
+mod joints;
 mod kept;
 mod levels;
 mod massless;

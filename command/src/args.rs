@@ -21,7 +21,7 @@ pub(crate) use attractors::{AttractorsArgs, BasinsArgs, RowsArgs};
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 pub(crate) use closed::{BorderArgs, ResponseArgs, VerifyArgs};
 pub(crate) use design::{DesignAim, IdentifyArgs, Question, QuestionArgs};
-pub(crate) use inputs::{BodyArgs, MachineArgs, StartArgs, Typed};
+pub(crate) use inputs::{BodyArgs, MachineArgs, StartArgs, Typed, as_typed};
 pub(crate) use motion::{DecayArgs, PullArgs, ShapeArg, SimulateArgs, SteadyArgs, StreamFormat};
 pub(crate) use pictures::{
     CurveArgs, CurveQuantity, FigureArgs, FiguresArgs, LookArgs, MapArgs, MotionPlotArgs, Picture,

@@ -42,7 +42,7 @@ pub fn png_of_svg(svg: &str, width: u32) -> io::Result<Vec<u8>> {
     picture::png(svg, width)
 }
 
-/// A drawing in SVG of solid lines, areas and texts as a page of PDF of its own size, letters as outlines of DejaVu Sans.
+/// A drawing in SVG of solid lines, areas and texts as a page of PDF of its own size; its texts, in DejaVu Sans, can be found and copied.
 ///
 /// # Errors
 /// [`io::ErrorKind::Other`] where the text is no SVG, or has images or gradients.

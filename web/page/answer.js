@@ -18,8 +18,11 @@ const valueText = ({ value, unit, physical }) => {
 // All digits of a value, for those who hover.
 const allDigits = ({ value, unit, physical }) => {
   const ratio = `${value}${unit && unit !== "1" ? ` ${unit}` : ""}`;
-  return physical ? `${physical.value} ${physical.unit}${shown.answer?.is_frictionless ? "" : ` = ${ratio}`}` : ratio;
+  return physical ? `${physical.value} ${physical.unit}${value === null ? "" : ` = ${ratio}`}` : ratio;
 };
+
+// The value in units, where it has one: without friction or a spring there may be none in ratios.
+const valueOf = (row) => (row?.physical ? row.physical.value : row?.value) ?? null;
 
 const readableValue = (row) => (row.physical ? readable(row.physical.value, row.physical.unit) : typeof row.value === "number" ? `${four(row.value)}${row.unit && row.unit !== "1" ? ` ${row.unit}` : ""}` : valueText(row)[0]);
 
@@ -57,8 +60,7 @@ const placeWords = (n) => (n < 0 ? PLACES[n] : n === 0 ? "Never stops" : `Stops 
 // The peak displacement of the steady motion in either direction, as the curve has it.
 function greatest(answer) {
   const [most, least] = ["max_displacement", "min_displacement"].map((name) => answer?.steady.values?.find((row) => row.name === name));
-  const size = (row) => (row ? Math.abs(row.physical ? row.physical.value : row.value) : NaN);
-  return most && most.value !== null ? Math.max(size(most), size(least)) : null;
+  return valueOf(most) === null ? null : Math.max(Math.abs(valueOf(most)), least ? Math.abs(valueOf(least)) : NaN);
 }
 
 function showAnswer(answer) {
@@ -82,7 +84,8 @@ function showAnswer(answer) {
   const natural = answer.machine?.find((own) => own.name === "period");
   if (natural && isPlain) entry(list, "natural period", readable(natural.value, natural.unit), `${natural.value} ${natural.unit}`);
   if (isPlain && !answer.is_free) entry(list, "frequency ratio Ω", four(answer.omega), String(answer.omega));
-  if (!isPlain) entry(list, "frequency ratio Ω, force ratio α", `${four(answer.omega)}, ${four(answer.alpha)}`, `${answer.omega}, ${answer.alpha}`);
+  if (!isPlain && answer.is_without_spring) entry(list, "force ratio α", four(answer.alpha), String(answer.alpha));
+  else if (!isPlain) entry(list, "frequency ratio Ω, force ratio α", `${four(answer.omega)}, ${four(answer.alpha)}`, `${answer.omega}, ${answer.alpha}`);
   const rows = steady.values || answer.values;
   const row = (name) => rows.find((own) => own.name === name);
   const [most, least] = [row("max_displacement"), row("min_displacement")];
@@ -90,11 +93,11 @@ function showAnswer(answer) {
   // A body that comes to rest for good has a place and nothing else of a motion.
   const isStuck = answer.place === -1;
   if (isStuck && most) {
-    if (most.value !== 0) entry(list, "rests at", readableValue(most), allDigits(most));
-    size = most.value === 0 ? "" : readableValue(most);
-  } else if (most && most.value !== null) {
+    if (valueOf(most) !== 0) entry(list, "rests at", readableValue(most), allDigits(most));
+    size = valueOf(most) === 0 ? "" : readableValue(most);
+  } else if (valueOf(most) !== null) {
     size = readableValue(most);
-    if (!least || most.value === -least.value) entry(list, "peak displacement", size, allDigits(most));
+    if (!least || valueOf(most) === -valueOf(least)) entry(list, "peak displacement", size, allDigits(most));
     else for (const [name, own] of [["displacement from", least], ["to", most]]) entry(list, name, readableValue(own), allDigits(own));
   }
   for (const [name, words] of KEY) {
@@ -103,7 +106,7 @@ function showAnswer(answer) {
     if (name === "max_absolute_displacement" && !(state.mode === "machine" && inRole(DRIVES).startsWith("base_"))) continue;
     if (answer.is_frictionless && name === "energy_out") continue;
     if (isStuck && (answer.is_free || !["transmitted_force", "transmissibility"].includes(name))) continue;
-    if (own && own.value !== null) entry(list, words, name === "stick_fraction" ? `${four(100 * own.value)} %` : readableValue(own), allDigits(own));
+    if (valueOf(own) !== null) entry(list, words, name === "stick_fraction" ? `${four(100 * own.value)} %` : readableValue(own), allDigits(own));
   }
   if (!isPlain) {
     const border = answer.values.find((own) => own.name === "min_force_ratio");
@@ -115,7 +118,7 @@ function showAnswer(answer) {
   }
   $("curve-section").hidden = answer.is_free;
   $("bar-text").textContent = `${placeWords(answer.place)}${size ? ` · ${size}` : ""}`;
-  $("map-here").textContent = isPlain ? "" : `The point: Ω = ${four(answer.omega)}, α = ${four(answer.alpha)}: ${placeWords(answer.place).toLowerCase()}.`;
+  $("map-here").textContent = isPlain || answer.is_without_spring ? "" : `The point: Ω = ${four(answer.omega)}, α = ${four(answer.alpha)}: ${placeWords(answer.place).toLowerCase()}.`;
   if ($("all").parentElement.open) showAll();
   $("command").textContent = commandLine();
   putKnob();
@@ -177,10 +180,11 @@ $("values-csv").onclick = () => {
 
 // ---- design and limits
 
-// Each sentence with the answers that it has.
+// Each sentence with the answers that it has, and one that it has not.
 const SENTENCES = [
   [["six_reversals_from", "six_reversals_to", "two_reversals_from"], "The body does not stop at a force of {} to {}, where it reverses six times a cycle, and of {} or more."],
   [["force", "unbalance", "foot_displacement", "base_displacement"], "WHO at a force of {} or more: an unbalance of {}, a motion of {} of the spring's support, or of {} of a base that carries the surface."],
+  [["force", "unbalance", "base_displacement"], "WHO at a force of {} or more: an unbalance of {}, or a motion of {} of a base that carries the surface.", "foot_displacement"],
   [["cycle_force", "release_force"], "A cycle without a stop exists at a force of {} or more; a body at rest is released above {}."],
   [["every_start_force"], "Every start slides without a stop in the long run above {}; this bound suffices and is not the least."],
   [["cycle_friction"], "Under this drive a cycle without a stop exists with a friction of {} or less."],
@@ -198,7 +202,8 @@ function showDesign(rows, error) {
   if (error !== undefined) return;
   // With six reversals the least force of the cycle of two is not that of the body.
   const who = rows.some((row) => row.name === "six_reversals_from") ? "The cycle of two reversals does not stick" : "The body never sticks";
-  for (const [names, sentence] of SENTENCES) {
+  for (const [names, sentence, without] of SENTENCES) {
+    if (rows.some((row) => row.name === without)) continue;
     const found = names.map((name) => rows.find((row) => row.name === name));
     if (!found.every(Boolean)) continue;
     const item = document.createElement("li");

@@ -183,7 +183,7 @@ function still() {
   });
   askGhost();
   ask("design", {}, ({ ok, error }) => showDesign(ok, error));
-  const isMany = shown.answer.static_friction_ratio > 1;
+  const isMany = shown.answer.static_friction_ratio > 1 && !shown.answer.is_without_spring;
   $("limits-section").hidden = !isMany;
   if (isMany) {
     $("limits-text").textContent = "Computing …";

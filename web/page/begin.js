@@ -46,11 +46,12 @@ for (const [name, [words, link, about]] of Object.entries(PRESETS)) {
   };
   $("presets").append(button, " ");
 }
-for (const [words, changes] of Object.values(SYSTEM_PRESETS)) {
-  const button = Object.assign(document.createElement("button"), { type: "button", textContent: words });
+for (const [words, changes, about = ""] of Object.values(SYSTEM_PRESETS)) {
+  const button = Object.assign(document.createElement("button"), { type: "button", textContent: words, title: about });
   button.onclick = () => {
     remember();
     VIEWS.two.put({ ...BASE_SYSTEM, ...changes });
+    $("system-about").textContent = about;
     remember();
   };
   $("system-presets").append(button, " ");

@@ -13,8 +13,9 @@ $("pin").onclick = () => {
 // The curve of the same machine without friction.
 function askGhost() {
   const isOn = $("ghost").checked && state.mode === "machine";
-  $("ghost").disabled = state.mode !== "machine";
-  if (!isOn) {
+  const isLinear = shown.answer?.is_without_spring;
+  $("ghost").disabled = state.mode !== "machine" || isLinear;
+  if (!isOn || isLinear) {
     shown.ghost = undefined;
     return;
   }
@@ -37,7 +38,7 @@ function showCurve(curve) {
   const { frequency, displacement, border, regime } = curve;
   const isMachine = state.mode === "machine";
   const here = shown.answer;
-  const at = here ? here.omega * curve.natural : NaN;
+  const at = here ? (here.omega ?? 1) * curve.natural : NaN;
   const height = greatest(here);
   const positive = displacement.filter((x) => x > 0);
   const most = Math.max(...positive, height || 0);
@@ -71,7 +72,7 @@ function showCurve(curve) {
   const isWithin = height > 0 && at >= frequency[0] && at <= frequency.at(-1);
   $("curve-note").textContent = here && height === 0 ? "The machine does not move at this frequency: it has no point on a logarithmic axis."
     : here && height !== null && !isWithin ? `The machine's point, ${four(at)} ${isMachine ? "Hz" : ""} and ${readable(height, curve.unit)}, is outside these axes.`
-      : regime.every((name) => name === "stuck") ? "The body is stuck at every frequency of this range." : "";
+      : regime.every((name) => name === "stuck") ? "The body is stuck at every frequency of this range." : here?.is_without_spring ? "Without a spring there is no natural frequency, and no peak." : "";
   if (isWithin) {
     const sizedHeight = height * to.factor;
     const dot = chart.dot(at, Math.max(sizedHeight, low), ink.here, 6.5);
@@ -103,7 +104,7 @@ held(charts.curve.svg, {
     if (state.mode === "ratios") state.omega = short(frequency);
     else {
       const unit = parts(state.frequency);
-      const now = shown.answer.omega * shown.curve.natural;
+      const now = (shown.answer.omega ?? 1) * shown.curve.natural;
       const own = parts(shown.answer.inputs.frequency);
       if (!unit || !own) return;
       state.frequency = withNumber(state.frequency, (own[0] * frequency) / now);

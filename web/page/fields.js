@@ -227,7 +227,7 @@ let wanted = null;
 
 function changeMode(mode) {
   const before = JSON.stringify({ state, chosen });
-  if (mode === "ratios" && shown.answer) {
+  if (mode === "ratios" && shown.answer && !shown.answer.is_without_spring) {
     const { omega, alpha } = shown.answer;
     state = { ...state, mode };
     for (const name of RATIOS) state[name] = String(shown.answer[name]);

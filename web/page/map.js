@@ -20,7 +20,12 @@ function askMap() {
   const answer = shown.answer;
   const isPlain = answer.is_free || answer.is_frictionless;
   $("map-section").hidden = isPlain && !embedded;
-  if (isPlain) return;
+  for (const part of document.querySelectorAll("#map-section > :not(h2, #map-note)")) part.hidden = answer.is_without_spring;
+  if (answer.is_without_spring) {
+    mapOf = "";
+    $("map-note").textContent = "Without a spring there is no natural frequency and no Ω: this map does not exist.";
+  }
+  if (isPlain || answer.is_without_spring) return;
   const { omega, alpha } = mapRange();
   const { damping_ratio, static_friction_ratio, start } = answer;
   // A velocity in units stays what it is at other frequencies; one in B ω_d changes with them.
@@ -194,7 +199,7 @@ function showMap(grid) {
 
 function putKnob() {
   const { knob, x, y } = charts.map;
-  if (!knob || !shown.answer || !shown.map) return;
+  if (!knob || !shown.answer || !shown.map || shown.answer.is_without_spring) return;
   const { omega, alpha } = shown.answer;
   const grid = shown.map;
   knob.setAttribute("transform", `translate(${x(Math.min(omega, grid.omega)).toFixed(1)} ${y(Math.min(alpha, grid.alpha)).toFixed(1)})`);

@@ -148,7 +148,8 @@ const sketch = (() => {
     const step = (at - foot) / 16;
     let d = `M${foot} 56`;
     for (let i = 1; i < 16; i++) d += `L${(foot + i * step).toFixed(1)} ${i % 2 ? 49 : 63}`;
-    spring.setAttribute("d", `${d}L${at} 56`);
+    spring.setAttribute("d", spring.on ? `${d}L${at} 56` : "");
+    wall.setAttribute("visibility", spring.on || damper.on ? "visible" : "hidden");
     spring.setAttribute("stroke", ink.border);
     const middle = (foot + at) / 2;
     damper.setAttribute("d", damper.on ? `M${foot} 82H${middle - 6}M${middle - 6} 75v14M${middle + 10} 73h-22v18h22M${middle - 6} 82M${middle - 12} 82M${middle + 10} 82H${at}` : "");
@@ -175,8 +176,9 @@ const sketch = (() => {
     const isMachine = state.mode === "machine";
     const base = ROLES[state.mode];
     mass.textContent = isMachine ? typed(base[0]) : "m";
-    k.textContent = isMachine ? (inRole(base[1]) === "stiffness" ? `k = ${typed(base[1])}` : typed(base[1])) : "k";
-    damper.on = shown.answer ? shown.answer.damping_ratio > 0 : true;
+    spring.on = !(isMachine && inRole(base[1]) === "stiffness" && isZero(typed(base[1])));
+    k.textContent = !spring.on ? "" : isMachine ? (inRole(base[1]) === "stiffness" ? `k = ${typed(base[1])}` : typed(base[1])) : "k";
+    damper.on = shown.answer ? (shown.answer.damping_ratio ?? parts(state.damping)?.[0]) > 0 : true;
     rub.textContent = isMachine ? `friction ${inRole(base[2]) === "friction" ? "" : "µ = "}${typed(base[2])}` : "friction r_y";
     const drive = isMachine ? typed(DRIVES) : "p₀ sin ω_d t";
     force.textContent = isMachine ? `${{ force: "force", unbalance: "unbalance" }[inRole(DRIVES)] || ""} ${support ? "" : drive}`.trim() : drive;

@@ -33,7 +33,7 @@ const WORDS = {
 };
 // Inputs of either sign, and inputs that may be 0.
 const SIGNED = new Set(["mean_force", "x0", "v0"]);
-const ZERO = new Set(["friction", "friction_coefficient", "damping_ratio", "damping", "mean_force", "x0", "v0", ...DRIVES]);
+const ZERO = new Set(["stiffness", "friction", "friction_coefficient", "damping_ratio", "damping", "mean_force", "x0", "v0", ...DRIVES]);
 // The power of the frequency that the force of a drive has.
 const POWERS = { unbalance: 2, base_velocity: 1, base_displacement: 2 };
 const START = {
@@ -73,6 +73,7 @@ const PRESETS = {
   damper: ["Friction damper", "mode=machine&units=kN,mm&mass=20 t&period=0.5 s&friction=40 kN&damping_ratio=1 %&base_acceleration=0.3 g&frequency=2 Hz", "A storey with a friction brace at resonance: the brace holds what the spring cannot."],
   slope: ["Slope", "mode=machine&units=N,mm&mass=2 kg&stiffness=1.5 N/mm&friction=5.795 N&mean_force=3.406 N&force=9 N&frequency=3 Hz", "A block on a slope of 10° with µ = 0.3: the friction is µ m g cos 10°, and gravity along the slope, m g sin 10°, is a constant force beside the shaking."],
   decay: ["Free decay", "mode=machine&units=N,mm&mass=2 kg&stiffness=1.5 N/mm&friction=1 N&damping_ratio=1 %&force=0 N&frequency=4 Hz&x0=12 mm", "Pulled aside and let go: friction takes the same amount of every swing."],
+  crate: ["Crate on a truck", "mode=machine&units=N,mm&mass=200 kg&stiffness=0&friction_coefficient=0.2&base_acceleration=3 m/s^2&frequency=2 Hz", "A crate that nothing but friction holds, on a bed that shakes: a stiffness of 0 is no spring."],
   textbook: ["Textbook Ω = 0.4", "mode=ratios&omega=0.4&alpha=6", "Hong and Liu's case below half the natural frequency, where the printed border falls short."],
 };
 

@@ -5,23 +5,39 @@ const SYSTEM_FIELDS = [
   ["Masses", [["m1", "lower mass", "1 t"], ["m2", "upper mass", "500 kg"]]],
   ["Springs", [["k1", "ground – lower", "200 N/mm"], ["k2", "lower – upper", "300 N/mm"]]],
   ["Dampers", [["c1", "ground – lower", "0.3 N*s/mm"], ["c2", "lower – upper", ""]]],
-  ["Contact", [["contact", "between", "ground,lower"], ["friction", "friction", "450 N"], ["elastic", "its stiffness, if elastic", ""], ["peak", "static ratio, if > 1", ""], ["falls", "friction at speed", ""], ["over", "from a speed of", ""], ["belt", "belt: ground moves", ""]]],
-  ["End stop", [["stop", "between", "lower,upper"], ["gap", "gap, if there is one", ""], ["stop_stiffness", "stiffness", "10 kN/mm"]]],
-  ["Load", [["load", "kind", "upper"], ["amplitude", "amplitude", "1.5 kN"], ["frequency", "frequency", "3 Hz"]]],
+  ["Contact", [["contact", "between", "ground,lower"], ["friction", "friction", "450 N"], ["elastic", "its stiffness, if elastic", ""], ["peak", "static ratio, if > 1", ""], ["falls", "friction at speed", ""], ["over", "from a speed of", ""], ["law", "on the way", ""], ["exponent", "its exponent, if not 2", ""], ["viscous", "viscous part", ""], ["belt", "belt: ground moves", ""]]],
+  ["End stop", [["stop", "between", "lower,upper"], ["gap", "gap, if there is one", ""], ["stop_stiffness", "stiffness", "10 kN/mm"], ["restitution", "or restitution, 0 to 1", ""]]],
+  ["Load", [["load", "kind", "upper"], ["amplitude", "amplitude", "1.5 kN"], ["frequency", "frequency", "3 Hz"], ["shape", "shape", "sine"], ["duty", "part that is up", "0.5"], ["constant", "constant part", ""], ["column", "column of the file", ""], ["record_units", "its unit, such as g", ""], ["time_step", "time step", ""]]],
 ];
 const CHOICES = {
   contact: [["ground,lower", "ground, lower"], ["lower,upper", "lower, upper"], ["ground,upper", "ground, upper"]],
   stop: [["lower,upper", "lower, upper"], ["ground,lower", "ground, lower"], ["ground,upper", "ground, upper"]],
-  load: [["upper", "force, upper"], ["lower", "force, lower"], ["base", "base moves"]],
+  load: [["upper", "force, upper"], ["lower", "force, lower"], ["base", "base moves"], ["record", "base: a record"]],
+  law: [["", "in a straight line"], ["stribeck", "by Stribeck's law"]],
+  shape: [["sine", "sine"], ["square", "square"], ["triangle", "triangle"], ["sawtooth", "sawtooth"], ["pulse", "pulse"]],
 };
+// Fields that are there for a choice alone.
+const isStribeck = (of) => Boolean(of.law) && Boolean(of.falls?.trim());
+const isCut = (of) => /square|pulse/.test(of.shape ?? "");
+const isRecorded = (of) => of.load === "record";
+const isWave = (of) => !isRecorded(of);
+const FOR = {
+  exponent: isStribeck, viscous: isStribeck, amplitude: isWave, frequency: isWave, shape: isWave, constant: isWave, duty: (of) => isWave(of) && isCut(of),
+  column: isRecorded, record_units: isRecorded, time_step: isRecorded,
+};
+// The record of the base: a file that is chosen, or the sample.
+let twoRecord = null;
 const BARE_TWO = {
-  m1: "F*s^2/L", m2: "F*s^2/L", k1: "F/L", k2: "F/L", c1: "F*s/L", c2: "F*s/L", friction: "F", elastic: "F/L", gap: "L", stop_stiffness: "F/L", falls: "F", over: "L/s", belt: "L/s", amplitude: "F",
+  m1: "F*s^2/L", m2: "F*s^2/L", k1: "F/L", k2: "F/L", c1: "F*s/L", c2: "F*s/L", friction: "F", elastic: "F/L", gap: "L", stop_stiffness: "F/L", falls: "F", over: "L/s", viscous: "F*s/L", belt: "L/s", amplitude: "F", constant: "F",
 };
 const SYSTEM_PRESETS = {
   machine: ["Machine on a slide", {}],
   storeys: ["Friction damper between storeys", { units: "kN,mm", m1: "20 t", m2: "20 t", k1: "20 kN/mm", k2: "20 kN/mm", c1: "0.02 kN*s/mm", c2: "0.02 kN*s/mm", contact: "lower,upper", friction: "100 kN", elastic: "40 kN/mm", load: "base", amplitude: "0.2 g", frequency: "3 Hz" }],
   building: ["Building on a slider", { units: "kN,mm", m1: "100 t", m2: "100 t", k1: "", k2: "50 kN/mm", c1: "", c2: "0.2 kN*s/mm", friction: "157 kN", load: "base", amplitude: "0.15 g", frequency: "1.5 Hz" }],
-  brake: ["Squealing brake", { m1: "2 kg", m2: "5 kg", k1: "2 kN/mm", k2: "3 kN/mm", c1: "0.05 N*s/mm", c2: "0.1 N*s/mm", friction: "500 N", falls: "300 N", over: "2 m/s", belt: "0.5 m/s", peak: "1.2", amplitude: "" }],
+  brake: ["Squealing brake", { m1: "2 kg", m2: "5 kg", k1: "2 kN/mm", k2: "3 kN/mm", c1: "0.05 N*s/mm", c2: "0.1 N*s/mm", friction: "500 N", falls: "300 N", over: "2 m/s", belt: "0.5 m/s", peak: "1.2", amplitude: "" }, "A pad on a disc: friction falls with speed, and the pad drives itself."],
+  drill: ["Drill string", { units: "N,m", m1: "2122 kg", m2: "472 kg", k1: "4000 N/m", k2: "861.5 N/m", c1: "425 N*s/m", c2: "20 N*s/m", contact: "ground,upper", friction: "8000 N", falls: "5000 N", over: "3 m/s", law: "stribeck", exponent: "1", viscous: "10 N*s/m", belt: "5 m/s", amplitude: "" }, "A drive above and a bit below on a string that twists, seen from the drive: the metres are arcs at a radius of 1 m. The friction at the bit falls with speed, and it sticks and slips."],
+  hammer: ["Hammer", { m1: "40 kg", m2: "2 kg", k1: "20 N/mm", k2: "8 N/mm", c1: "0.4 N*s/mm", c2: "0.02 N*s/mm", contact: "lower,upper", friction: "4 N", stop: "lower,upper", gap: "2 mm", restitution: "0.4", amplitude: "60 N", frequency: "9 Hz" }, "A ram in a housing beats its end, and comes back with two fifths of its speed."],
+  conveyor: ["Conveyor", { m1: "20 kg", m2: "2 kg", k1: "80 N/mm", k2: "", c1: "0.2 N*s/mm", contact: "lower,upper", friction: "5.9 N", load: "lower", amplitude: "400 N", frequency: "6 Hz", shape: "pulse", duty: "0.25" }, "A tray on leaf springs is pushed forward in pulses: the part on it drifts."],
   belt: ["Block on a belt", { m1: "20 kg", m2: "5 kg", k1: "20 N/mm", k2: "5 N/mm", c1: "0.01 N*s/mm", c2: "0.005 N*s/mm", friction: "100 N", falls: "60 N", over: "0.3 m/s", belt: "0.05 m/s", amplitude: "" }],
   free: ["Block without a spring", { k1: "", c1: "", m2: "50 kg", k2: "20 N/mm", c2: "0.05 N*s/mm", friction: "450 N", load: "lower", amplitude: "1.5 kN", frequency: "3 Hz" }],
   rattle: ["Rattle against a stop", { gap: "1 mm", load: "lower", amplitude: "1.5 kN", frequency: "4 Hz" }],
@@ -43,14 +59,16 @@ function systemFields() {
     made.value = two[name];
     made.oninput = () => {
       if (name === "units") {
-        withUnits(two, two.units, { ...BARE_TWO, amplitude: two.load === "base" ? "L/s^2" : "F" });
+        const load = two.load === "base" ? "L/s^2" : "F";
+        withUnits(two, two.units, { ...BARE_TWO, amplitude: load, constant: load });
         for (const own of Object.keys(BARE_TWO)) $(`two-${own}`).value = two[own];
       }
       two[name] = made.value;
       // A force and an acceleration are not of one kind.
       if (name === "load" && (made.value === "base") !== /g$|m\/s/.test(two.amplitude)) {
         two.amplitude = made.value === "base" ? "0.2 g" : "1.5 kN";
-        $("two-amplitude").value = two.amplitude;
+        two.constant = "";
+        for (const own of ["amplitude", "constant"]) $(`two-${own}`).value = two[own];
       }
       changedSystem();
     };
@@ -70,6 +88,19 @@ function systemFields() {
     }
     host.append(set);
   }
+  // Where the file of a record is chosen.
+  const row = Object.assign(document.createElement("p"), { id: "two-record" });
+  const file = Object.assign(document.createElement("input"), { type: "file", id: "two-file" });
+  file.setAttribute("aria-label", "Record of the base's acceleration");
+  file.onchange = async () => file.files[0] && takeTwo(file.files[0].name, new Blob([await file.files[0].arrayBuffer()]));
+  const sample = Object.assign(document.createElement("button"), { type: "button", id: "two-sample", textContent: "Sample record", onclick: () => takeTwo("sample.csv", new Blob([sampleRecord()])) });
+  row.append(file, " ", sample, " ", Object.assign(document.createElement("strong"), { id: "two-record-name" }));
+  host.lastChild.append(row);
+}
+
+function takeTwo(name, file) {
+  twoRecord = { name, file };
+  changedSystem();
 }
 
 // The file of the command that describes the two masses.
@@ -85,16 +116,22 @@ function systemText(of = two) {
     if (has(c)) lines.push(`damping = ${quoted(of[c])}`);
   }
   if (has("friction") && !(isZero(of.friction) && !has("elastic"))) {
-    // A friction that falls with speed is straight from rest to the speed from which it stays.
-    const law = `law = [["0 m/s", ${quoted(of.friction)}], [${quoted(of.over ?? "")}, ${quoted(of.falls ?? "")}], ["1e6 m/s", ${quoted(of.falls ?? "")}]]`;
-    lines.push("[[contacts]]", 'name = "contact"', between("contact"), has("falls") ? law : `friction = ${quoted(of.friction)}`);
+    const [friction, falls, over] = ["friction", "falls", "over"].map((name) => quoted(of[name] ?? ""));
+    const more = ["exponent", "viscous"].filter(has).map((name) => `, ${name} = ${quoted(of[name])}`).join("");
+    // A friction that falls with speed is straight from rest to the speed from which it stays, or a curve.
+    const law = isStribeck(of) ? `law = { static = ${friction}, kinetic = ${falls}, speed = ${over}${more} }` : `law = [["0 m/s", ${friction}], [${over}, ${falls}], ["1e6 m/s", ${falls}]]`;
+    lines.push("[[contacts]]", 'name = "contact"', between("contact"), has("falls") ? law : `friction = ${friction}`);
     if (has("belt")) lines.push(`moves = ${quoted(of.belt)}`);
     if (has("elastic")) lines.push(`stiffness = ${quoted(of.elastic)}`);
     if (has("peak")) lines.push(`${has("falls") ? "peak" : "static_ratio"} = ${quoted(of.peak)}`);
   }
-  if (has("gap")) lines.push("[[stops]]", 'name = "stop"', between("stop"), `gap = ${quoted(of.gap)}`, `stiffness = ${quoted(of.stop_stiffness)}`);
-  if (of.load === "base") lines.push("[base]", `acceleration = { amplitude = ${quoted(of.amplitude)}, frequency = ${quoted(of.frequency)} }`);
-  else if (has("amplitude")) lines.push("[[forces]]", `on = ${quoted(of.load)}`, `amplitude = ${quoted(of.amplitude)}`, `frequency = ${quoted(of.frequency)}`);
+  if (has("gap")) lines.push("[[stops]]", 'name = "stop"', between("stop"), `gap = ${quoted(of.gap)}`, has("restitution") ? `restitution = ${quoted(of.restitution)}` : `stiffness = ${quoted(of.stop_stiffness)}`);
+  // A record is another file, and no part of this one.
+  const load = of.load === "record" ? [] : has("amplitude") ? ["amplitude", "frequency", ...((of.shape ?? "sine") === "sine" ? [] : ["shape"]), ...(isCut(of) ? ["duty"] : [])] : [];
+  if (has("constant") && of.load !== "record") load.push("constant");
+  const values = load.map((name) => `${name} = ${quoted(of[name])}`);
+  if (values.length && of.load === "base") lines.push("[base]", `acceleration = { ${values.join(", ")} }`);
+  else if (values.length) lines.push("[[forces]]", `on = ${quoted(of.load)}`, ...values);
   return `${lines.join("\n")}\n`;
 }
 
@@ -102,6 +139,13 @@ let [systemTimer, systemLate] = [0, 0];
 
 function changedSystem() {
   const text = systemText();
+  if (text !== changedSystem.text) $("system-about").textContent = "";
+  changedSystem.text = text;
+  for (const [name, is] of Object.entries(FOR)) $(`two-${name}`).parentElement.hidden = !is(two);
+  $("two-record").hidden = !isRecorded(two);
+  $("two-record-name").textContent = twoRecord?.name ?? "";
+  $("system-of").textContent = isRecorded(two) ? `record ${twoRecord?.name ?? "RECORD"}` : "steady";
+  $("two-stop_stiffness").disabled = Boolean(two.restitution.trim());
   $("system-file").textContent = text;
   if (tab === "two") history.replaceState(null, "", currentHash());
   if (!live) return;
@@ -118,8 +162,17 @@ function changedSystem() {
     }, 1000);
   }
   fileButtons();
-  live.ask("system", { ask: "system", text, count: 600 }, ({ ok, error }) => {
-    if (systemText() !== text) return;
+  const asked = { ask: "system", text, count: isRecorded(two) ? 4000 : 600, ...(isRecorded(two) ? { ...twoRecord, column: two.column, record_units: two.record_units, time_step: two.time_step } : {}) };
+  if (isRecorded(two) && !twoRecord) {
+    clearTimeout(systemLate);
+    $("system-error").textContent = "Choose a record, or the sample.";
+    $("system-shown").hidden = true;
+    twoAnswer = null;
+    return;
+  }
+  changedSystem.asked = asked;
+  live.ask("system", asked, ({ ok, error }) => {
+    if (systemText() !== text || changedSystem.asked !== asked) return;
     clearTimeout(systemLate);
     $("system-error").textContent = error ?? "";
     $("system-shown").hidden = error !== undefined;
@@ -138,10 +191,13 @@ function askSystemCurve(text) {
   systemTimer = setTimeout(() => {
     const own = parts(two.frequency);
     if (systemText() !== text || !twoAnswer) return;
+    const { description, motion } = twoAnswer;
+    // A load of another shape is no harmonic, and repeats itself in a part of the period.
+    const loads = /^\[base]|^amplitude/m.test(text) && !isZero(two.amplitude) ? [...description.harmonics, ...(two.shape === "sine" || !motion.period ? [] : [(2 * Math.PI * motion.periods) / motion.period])] : [];
     // Without a load there is nothing over its frequency.
-    $("two-curve").hidden = !own || !twoAnswer.description.harmonics.length;
+    $("two-curve").hidden = !own || !loads.length;
     if ($("two-curve").hidden) return;
-    const modes = [...twoAnswer.description.natural_frequencies, ...twoAnswer.description.natural_frequencies_stuck, ...twoAnswer.description.harmonics].filter((x) => x > 0).map((x) => x / (2 * Math.PI));
+    const modes = [...description.natural_frequencies, ...description.natural_frequencies_stuck, ...loads].filter((x) => x > 0).map((x) => x / (2 * Math.PI));
     const [low, high] = [Math.min(...modes) / 2, Math.max(...modes) * 1.6];
     const even = Array.from({ length: 160 }, (_, i) => low * (high / low) ** (i / 159));
     const frequencies = [...even, ...modes].sort((a, b) => a - b);
@@ -172,7 +228,8 @@ Object.assign(charts, {
 
 function showSystem(found) {
   const { motion, samples } = found;
-  for (const [id, text] of [["system-verdict", found.verdict], ["system-border", found.border_verdict]]) {
+  const below = found.read ? `${found.read} The pictures have ${samples.time.length} states at equal times, the extremes are those of the whole motion.` : found.border_verdict;
+  for (const [id, text] of [["system-verdict", found.verdict], ["system-border", below]]) {
     $(id).textContent = fourIn(text);
     $(id).title = text;
   }
@@ -193,8 +250,9 @@ function showSystem(found) {
     const words = { contact: "sticks", elastic: "holds", stop: "open" }[element.kind];
     const part = motion.period > 0 ? ` (${four((100 * element.time_at_rest) / motion.period)} %)` : "";
     entry(list, `${element.name}: ${words}`, `${readable(element.time_at_rest, "s")}${part}, ${element.stops} ${element.stops === 1 ? "time" : "times"}`, `${element.time_at_rest} s`);
-    // A stop of the page has no damper, and does no work in a period.
-    if (element.kind !== "stop") entry(list, `${element.name}: work`, readable(Math.abs(element.work) < 1e-12 * works ? 0 : element.work, units.work), `${element.work} ${units.work}`);
+    if (element.blows !== undefined) entry(list, `${element.name}: blows`, String(element.blows));
+    // An elastic stop of the page has no damper, and does no work in a period.
+    if (element.kind !== "stop" || element.blows !== undefined) entry(list, `${element.name}: work`, readable(Math.abs(element.work) < 1e-12 * works ? 0 : element.work, units.work), `${element.work} ${units.work}`);
   }
   const hertz = (own) => own.map((omega) => four(omega / (2 * Math.PI))).join(", ");
   entry(list, "natural frequencies, sliding", `${hertz(found.description.natural_frequencies)} Hz`);
@@ -210,6 +268,15 @@ function showSystem(found) {
     const most = Math.max(...multipliers.map(([re, im]) => Math.hypot(re, im)));
     entry(list, "a disturbance", `${most < 1 ? "shrinks" : "grows"} to ${four(most)} of its size in each period`, String(most));
   }
+  const events = motion.events.map(({ time, name, kind, velocity_before, velocity_after }) => {
+    const item = document.createElement("li");
+    const blow = velocity_before === undefined ? "" : ` from ${readable(velocity_before, units.velocity)} to ${readable(velocity_after, units.velocity)}`;
+    item.textContent = `${four(time)} s, ${name}: ${kind}${blow}`;
+    item.title = [time, velocity_before, velocity_after].filter((x) => x !== undefined).join(", ");
+    return item;
+  });
+  $("system-events").replaceChildren(...events);
+  $("system-events").parentElement.hidden = !events.length;
   const isMoving = Boolean(samples);
   for (const host of ["two-motion", "two-force"]) $(host).hidden = !isMoving;
   if (!isMoving) return;
@@ -266,6 +333,9 @@ const twoSketch = (() => {
   $("two-body").append(svg);
   return { svg, most: 0 };
 })();
+const hasTwo = (name) => Boolean(two[name]?.trim());
+// The load in words: its wave and its constant part.
+const loadWords = () => isRecorded(two) ? (twoRecord?.name ?? "record") : [hasTwo("amplitude") ? `${two.amplitude}, ${two.frequency}${two.shape === "sine" ? "" : ` ${two.shape}`}` : "", hasTwo("constant") ? `${two.constant} constant` : ""].filter(Boolean).join(" + ");
 // Metres in the units of a gap.
 const METRES = { m: 1, cm: 1e-2, mm: 1e-3, "µm": 1e-6, in: 0.0254, ft: 0.3048 };
 
@@ -284,13 +354,14 @@ const plates = (from, to, y, isElastic) => {
 function placeSystem(now) {
   const samples = twoAnswer?.text === systemText() ? twoAnswer.samples : null;
   const ink = palette();
-  const part = samples ? (now % 3000) / 3000 : 0;
+  // A period takes three seconds, and a record its own time.
+  const length = twoAnswer?.motion.duration ? 1000 * twoAnswer.motion.duration : 3000;
+  const part = samples ? (now % length) / length : 0;
   const i = samples ? Math.round(part * (samples.time.length - 1)) : 0;
   const [homes, width, floor, wall] = [[150, 370], 84, 160, 30];
   const pixels = samples && twoSketch.most ? 46 / twoSketch.most : 0;
   const places = homes.map((home, k) => home + (samples ? pixels * samples.displacement[i][k] : 0));
   const of = { ground: [wall, wall], lower: [places[0], places[0] + width], upper: [places[1], places[1] + width] };
-  const has = (name) => Boolean(two[name]?.trim());
   const parts = [];
   const path = (d, colour = ink.border, more = {}) => parts.push(node("path", { d, fill: "none", stroke: colour, "stroke-width": 2, ...more }));
   const words = (x, y, text, more = {}) => parts.push(node("text", { x, y, "font-size": 11, "font-family": "system-ui, sans-serif", "text-anchor": "middle", fill: ink.text, ...more }, text));
@@ -298,20 +369,20 @@ function placeSystem(now) {
   path(Array.from({ length: 40 }, (_, n) => `M${24 + 13.2 * n} ${floor}l-7 7`).join(""), ink.border, { "stroke-width": 1 });
   [["ground", "lower", "k1", "c1"], ["lower", "upper", "k2", "c2"]].forEach(([first, second, k, c]) => {
     const [from, to] = [of[first][1], of[second][0]];
-    if (has(k)) {
+    if (hasTwo(k)) {
       path(zigzag(from, to, 76));
       words((from + to) / 2, 65, two[k]);
     }
-    if (has(c)) {
+    if (hasTwo(c)) {
       path(dashpot(from, to, 106));
       words((from + to) / 2, 92, two[c]);
     }
   });
-  const isRubbing = has("friction") && !(isZero(two.friction) && !has("elastic"));
+  const isRubbing = hasTwo("friction") && !(isZero(two.friction) && !hasTwo("elastic"));
   const [below, above] = two.contact.split(",");
-  const friction = `friction ${two.friction}${has("falls") ? ` to ${two.falls}` : ""}${has("elastic") ? `, elastic ${two.elastic}` : ""}`;
+  const friction = `friction ${two.friction}${hasTwo("falls") ? ` to ${two.falls}` : ""}${hasTwo("elastic") ? `, elastic ${two.elastic}` : ""}`;
   if (isRubbing && below === "lower") {
-    path(plates(of.lower[1], of.upper[0], 138, has("elastic")), ink.stick);
+    path(plates(of.lower[1], of.upper[0], 138, hasTwo("elastic")), ink.stick);
     words((of.lower[1] + of.upper[0]) / 2, 127, two.friction);
   }
   ["lower", "upper"].forEach((name, k) => {
@@ -324,13 +395,13 @@ function placeSystem(now) {
       words(left + width / 2, 182, friction);
     } else for (const x of [left + 18, right - 18]) parts.push(node("circle", { cx: x, cy: 154, r: 5, fill: ink.paper, stroke: ink.border, "stroke-width": 2 }));
   });
-  if (isRubbing && has("belt")) {
+  if (isRubbing && hasTwo("belt")) {
     const x = below === "ground" ? of[above][1] + 40 : 480;
     path(`M${x} 178h48m-8 -5l8 5l-8 5`, ink.second, { "stroke-width": 2.5 });
     words(x + 56, 182, `belt ${two.belt}`, { "text-anchor": "start" });
   }
   // The stop is an arm of its first body, which the second meets when it is beyond the gap.
-  if (has("gap")) {
+  if (hasTwo("gap")) {
     const [first, second] = two.stop.split(",");
     const own = /^\s*([\d.eE+-]+)\s*(\S*)/.exec(two.gap);
     const unit = twoAnswer?.motion.units.displacement;
@@ -340,13 +411,18 @@ function placeSystem(now) {
     const at = homes[second === "lower" ? 0 : 1] + width + room + shift;
     path(`M${first === "ground" ? wall : of[first][0] + 12} ${first === "ground" ? 40 : 54}V40H${at}V70`, ink.here, { "stroke-width": 3 });
     words(Math.min(Math.max(at, of[second][1]) + 6, 490), 84, `gap ${two.gap}`, { "text-anchor": "start" });
+    // A stop that gives no way has a thick end.
+    if (hasTwo("restitution")) {
+      path(`M${at} 48V70`, ink.here, { "stroke-width": 8 });
+      words(Math.min(Math.max(at, of[second][1]) + 6, 490), 68, `e = ${two.restitution}`, { "text-anchor": "start" });
+    }
   }
   // The load to and fro: on a body above it, of the base below the floor.
-  if (has("amplitude") && !isZero(two.amplitude)) {
-    const isBase = two.load === "base";
+  if (isRecorded(two) || (hasTwo("amplitude") && !isZero(two.amplitude)) || hasTwo("constant")) {
+    const isBase = !["upper", "lower"].includes(two.load);
     const [x, y] = isBase ? [60, 178] : [of[two.load][0] + width / 2, 28];
     path(`M${x - 26} ${y}h52m-8 -5l8 5l-8 5M${x - 18} ${y - 5}l-8 5l8 5`, ink.text, { "stroke-width": 2.5 });
-    words(x, isBase ? 194 : 16, `${isBase ? "base " : ""}${two.amplitude}, ${two.frequency}`, isBase ? { x: 12, "text-anchor": "start" } : {});
+    words(x, isBase ? 194 : 16, `${isBase ? "base " : ""}${loadWords()}`, isBase ? { x: 12, "text-anchor": "start" } : {});
   }
   twoSketch.svg.replaceChildren(...parts);
 }

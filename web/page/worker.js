@@ -7,7 +7,7 @@ const waiting = [];
 // A file is read here, and a table becomes one, so that the page does not wait.
 async function answer({ id, question: { file, ...question } }) {
   try {
-    if (file) question.text = await file.text();
+    if (file) question[question.ask === "system" ? "record" : "text"] = await file.text();
     const ok = asked(question);
     postMessage({ id, ok: question.ask === "record-table" ? new Blob([csvText(ok)]) : ok });
   } catch (error) {

@@ -6,10 +6,10 @@ use serde_json::{Map, Value, json};
 use stickslip::internal::{Column, ResponseAnswer, Value as Answer, When};
 use stickslip::motion::{LongRun, SteadyAnswer};
 use stickslip::{Definition, Drive, Measure, NoStop, Response};
-use stickslip_front::inputs::units::{Kind, System};
-use stickslip_front::inputs::{Given, Input, Point, Role};
+use stickslip_front::inputs::units::Kind;
+use stickslip_front::inputs::{Input, Role};
 use stickslip_front::quantities;
-use stickslip_front::without::{is_of_friction, without_friction};
+use stickslip_front::without::{is_of_friction, is_of_spring, needs_spring, without_friction};
 use stickslip_front::words::{self, digits};
 
 /// The answers of `stickslip response` and `stickslip steady` to the question.
@@ -19,15 +19,14 @@ pub(crate) fn answer(asked: &Asked<'_>) -> Result<Value, String> {
     let named = |e: stickslip::Error| String::from(given.at_fault(&e));
     let response = Response::guarded(point.ratios);
     let found = ResponseAnswer { response: &response, peaks: true };
-    let is_frictionless = problem.is_frictionless;
-    let values = Values { given, point, best: response.best_force_ratio, is_frictionless };
+    let values = Values { problem: &problem, best: response.best_force_ratio };
     let limit = LongRun::from_start(point.ratios, *start);
     let place = place(point.ratios, &limit);
     let steady = match limit.map_err(named) {
         Ok(limit) => {
             let answer = SteadyAnswer::new(point.ratios, &limit, true).map_err(named)?;
             json!({
-                "verdict": words::limit(point.ratios, &limit, |x| length(x, point, &given.system), ""),
+                "verdict": words::limit(point.ratios, &limit, |x| length(x, &problem), ""),
                 "origin": words::origin(point.ratios, &limit),
                 "values": values.of(&answer, SteadyAnswer::COLUMNS),
             })
@@ -35,10 +34,11 @@ pub(crate) fn answer(asked: &Asked<'_>) -> Result<Value, String> {
         Err(error) => json!({ "error": error }),
     };
     let ratios = point.ratios;
+    let has_spring = !problem.is_without_spring;
     Ok(json!({
-        "omega": ratios.omega(),
+        "omega": has_spring.then(|| ratios.omega()),
         "alpha": ratios.alpha(),
-        "damping_ratio": ratios.damping_ratio(),
+        "damping_ratio": has_spring.then(|| ratios.damping_ratio()),
         "static_friction_ratio": ratios.static_friction_ratio(),
         "verdict": words::verdict(&response),
         "values": values.of(&found, ResponseAnswer::COLUMNS),
@@ -48,21 +48,20 @@ pub(crate) fn answer(asked: &Asked<'_>) -> Result<Value, String> {
         "has_start": problem.has_start,
         "is_frictionless": problem.is_frictionless,
         "is_free": problem.is_free,
+        "is_without_spring": problem.is_without_spring,
         "notes": notes(&problem),
-        "kinds": kinds(given, point),
+        "kinds": kinds(&problem),
         "six_reversals": NoStop::of(&point.ratios).six_reversals.map(|(low, high)| [low, high]),
         "machine": machine(&problem),
     }))
 }
 
 /// A displacement in words.
-pub(crate) fn length(x: f64, point: &Point<f64>, system: &System) -> String {
-    match point.machine {
-        Some(machine) => {
-            format!("{} B = {} {}", digits(x), digits(x * machine.scales.length), system.length())
-        }
-        None => format!("{} B", digits(x)),
-    }
+fn length(x: f64, problem: &Problem) -> String {
+    let ratio = format!("{} B", digits(x));
+    let Some(machine) = problem.point.machine else { return ratio };
+    let value = format!("{} {}", digits(x * machine.scales.length), problem.given.system.length());
+    if problem.is_without_spring { value } else { format!("{ratio} = {value}") }
 }
 
 /// The meaning of the displacement: of a moving base, and of a shifted motion.
@@ -71,14 +70,21 @@ fn notes(problem: &Problem) -> Vec<String> {
     let Some(machine) = &point.machine else { return Vec::new() };
     let base = words::base_motion_sentence(machine.drive.excitation());
     let mean = digits(machine.scales.mean_displacement);
-    let shifted = given.is_shifted().then(|| {
-        format!("Displacements are measured from the mean displacement of {mean} {}.", given.system.length())
-    });
-    base.into_iter().chain(shifted).collect()
+    let from = if problem.is_without_spring {
+        Some("Displacements are measured from the middle of the motion.".to_owned())
+    } else {
+        given.is_shifted().then(|| {
+            format!(
+                "Displacements are measured from the mean displacement of {mean} {}.",
+                given.system.length()
+            )
+        })
+    };
+    base.into_iter().chain(from).collect()
 }
 
 /// The value of each kind of input that the machine could be given by instead.
-fn kinds(given: &Given<f64>, point: &Point<f64>) -> Value {
+fn kinds(Problem { given, point, is_without_spring, .. }: &Problem) -> Value {
     let Some(machine) = &point.machine else { return Value::Null };
     let system = &given.system;
     let (body, drive) = (&machine.oscillator, &machine.drive);
@@ -105,7 +111,12 @@ fn kinds(given: &Given<f64>, point: &Point<f64>) -> Value {
             all.push((input, drive.force_amplitude(body) / unit.force_amplitude(body)));
         }
     }
-    let rows = all.into_iter().map(|(input, value)| {
+    let needs_spring = |input: Input| {
+        input.role() == Role::Spring
+            || matches!(input, Input::DampingRatio | Input::FootDisplacement | Input::DampedFootDisplacement)
+    };
+    let there = all.into_iter().filter(|(input, _)| !is_without_spring || !needs_spring(*input));
+    let rows = there.map(|(input, value)| {
         let unit = if input.kind() == Kind::Ratio { String::new() } else { system.name(input.kind()) };
         (input.column(), json!({ "value": value, "unit": unit }))
     });
@@ -123,19 +134,17 @@ fn machine(problem: &Problem) -> Value {
 
 /// The values of an answer, with those in the machine's units.
 struct Values<'a> {
-    given: &'a Given<f64>,
-    point: &'a Point<f64>,
+    problem: &'a Problem,
     /// The force ratio of the largest loop.
     best: f64,
-    is_frictionless: bool,
 }
 
 impl Values<'_> {
     fn of<A>(&self, answer: &A, columns: impl IntoIterator<Item = Column<A, f64>>) -> Value {
         let columns = columns.into_iter().filter(|column| match column.when {
             When::Always => true,
-            When::Damping => self.given.has_role(Role::Damper),
-            When::StaticFriction => self.given.has_role(Role::StaticFriction),
+            When::Damping => self.problem.given.has_role(Role::Damper),
+            When::StaticFriction => self.problem.given.has_role(Role::StaticFriction),
         });
         columns.map(|column| self.value(column.definition, (column.of)(answer))).collect()
     }
@@ -147,15 +156,19 @@ impl Values<'_> {
         add("symbol", json!(definition.symbol));
         add("meaning", json!(definition.meaning));
         add("unit", json!(definition.measure.unit()));
+        let Problem { given, point, is_frictionless, is_without_spring, .. } = self.problem;
         let value = match value {
-            Answer::Number(Some(x)) if self.is_frictionless => {
+            Answer::Number(_) if *is_without_spring && needs_spring(definition) => Answer::Number(None),
+            Answer::Number(Some(x)) if *is_frictionless => {
                 Answer::Number(Some(without_friction(definition.measure, x)))
             }
             value => value,
         };
+        // Values in units of the friction, or of the spring, do not exist without it.
+        let is_without = *is_frictionless && is_of_friction(definition.measure)
+            || *is_without_spring && is_of_spring(definition.measure);
         let own = match value {
-            // Values in units of the friction do not exist without it.
-            Answer::Number(_) if self.is_frictionless && is_of_friction(definition.measure) => Value::Null,
+            Answer::Number(_) if is_without => Value::Null,
             Answer::Number(number) => json!(number),
             Answer::Count(count) => json!(count),
             Answer::Flag(flag) => json!(flag),
@@ -164,10 +177,10 @@ impl Values<'_> {
         };
         add("value", own);
         if let Answer::Number(number) = value
-            && let Some(machine) = &self.point.machine
+            && let Some(machine) = &point.machine
             && let Some(name) = definition.physical_name(machine.drive.excitation())
         {
-            let unit = self.given.system.name(definition.measure.kind());
+            let unit = given.system.name(definition.measure.kind());
             let value = number.map(|number| number * self.size(definition.measure));
             add("physical", json!({ "name": name, "value": value, "unit": unit }));
         }
@@ -176,7 +189,7 @@ impl Values<'_> {
 
     /// The size of the unit of a measure.
     fn size(&self, measure: Measure) -> f64 {
-        let Some(machine) = &self.point.machine else { return 1.0 };
+        let Some(machine) = &self.problem.point.machine else { return 1.0 };
         measure.size_with(&machine.scales, self.best, machine.oscillator.stiffness())
     }
 }

@@ -28,6 +28,8 @@ pub(crate) struct Problem {
     pub(crate) is_frictionless: bool,
     /// Whether the drive is given as 0: the vibration is free.
     pub(crate) is_free: bool,
+    /// Whether the stiffness is given as 0: there is no Ω, ζ and B.
+    pub(crate) is_without_spring: bool,
 }
 
 impl Asked<'_> {
@@ -62,11 +64,6 @@ impl Asked<'_> {
     pub(crate) fn problem(&self) -> Result<Problem, String> {
         let reader = self.reader()?;
         let typed = self.given(&reader)?;
-        if typed.is_without_spring() {
-            let text = "stiffness: must be > 0 on this page, whose map and curves are over the natural frequency. \
-                        The command answers without a spring";
-            return Err(text.to_owned());
-        }
         // Friction and drive may be 0 here, as the library's own conditions do not say.
         for (name, text) in self.typed() {
             let Some(input) = Input::named(name) else { continue };
@@ -78,6 +75,7 @@ impl Asked<'_> {
             }
         }
         let (is_frictionless, is_free) = (typed.is_without_friction(), typed.is_without_drive());
+        let is_without_spring = typed.is_without_spring();
         let given = typed.without_zeros()?.into_owned();
         let point = given.point()?;
         let mut start = [0.0; 2];
@@ -96,7 +94,7 @@ impl Asked<'_> {
             let is_velocity = e.quantity() == Some(stickslip::Quantity::Velocity);
             format!("{}: {e}", if is_velocity { "v0" } else { "x0" })
         })?;
-        Ok(Problem { typed, given, point, start, has_start, is_frictionless, is_free })
+        Ok(Problem { typed, given, point, start, has_start, is_frictionless, is_free, is_without_spring })
     }
 
     /// A number of the question.

@@ -47,7 +47,7 @@ impl Place for OfCurve {
     }
 }
 
-/// The machine at another frequency ratio.
+/// The machine at another frequency ratio, to the natural frequency or to that of a body without a spring.
 fn at_ratio(given: &Given<f64>, natural: Option<f64>, omega: f64) -> Result<Point<f64>, InputError> {
     let mut given = given.clone();
     match natural {
@@ -60,11 +60,11 @@ fn at_ratio(given: &Given<f64>, natural: Option<f64>, omega: f64) -> Result<Poin
     given.point()
 }
 
-/// The curve from `from` to `to` times the natural frequency, at `count` equal ratios or at the frequency ratios
+/// The curve from `from` to `to` times the natural frequency, or without a spring times the frequency of the drive, at `count` equal ratios or at the frequency ratios
 /// `omegas`; with `resolved` its peaks, the onset of sliding, and what a line beside them needs, as `stickslip
 /// response-curve` resolves them.
 pub(crate) fn curve(asked: &Asked<'_>) -> Result<Value, String> {
-    let Problem { given, point: here, is_free, is_frictionless, .. } = asked.problem()?;
+    let Problem { given, point: here, is_free, is_frictionless, is_without_spring, .. } = asked.problem()?;
     if is_free {
         return Err("a free vibration has no response curve".to_owned());
     }
@@ -76,14 +76,18 @@ pub(crate) fn curve(asked: &Asked<'_>) -> Result<Value, String> {
     let at = |share: f64| from * (to / from).powf(share);
     let mut omegas: Vec<f64> = (0..count).map(|i| at(i as f64 / (count - 1) as f64)).collect();
     let listed = asked.numbers("omegas");
+    let own = if is_without_spring { 1.0 } else { here.ratios.omega() };
     if !listed.is_empty() {
         omegas = listed;
-    } else if (from..to).contains(&here.ratios.omega()) {
-        omegas.push(here.ratios.omega());
+    } else if (from..to).contains(&own) {
+        omegas.push(own);
     }
     omegas.sort_by(f64::total_cmp);
     omegas.dedup();
-    let natural = here.machine.map(|machine| machine.oscillator.natural_frequency());
+    let natural = here.machine.map(|machine| match is_without_spring {
+        true => machine.drive.angular_frequency(),
+        false => machine.oscillator.natural_frequency(),
+    });
     let place = |omega: f64, source: Source| -> Result<OfCurve, String> {
         // Outside the range of the arithmetic there is no point.
         let point = at_ratio(&given, natural, omega).ok();
@@ -94,7 +98,13 @@ pub(crate) fn curve(asked: &Asked<'_>) -> Result<Value, String> {
     let each =
         |all: Vec<(f64, Source)>| all.into_iter().map(|(omega, source)| place(omega, source)).collect();
     let places = if asked.0.get("resolved").and_then(Value::as_bool).unwrap_or(false) {
-        Axis { values: &omegas, at, is_logarithmic: true, natural: 1.0 }.through(each, place)?
+        Axis {
+            values: &omegas,
+            at,
+            is_logarithmic: true,
+            natural: if is_without_spring { f64::NAN } else { 1.0 },
+        }
+        .through(each, place)?
     } else {
         each(omegas.iter().map(|omega| (*omega, Source::Grid)).collect::<Vec<_>>())?
     };

@@ -19,7 +19,7 @@ fn row(name: &str, found: Result<f64, Error>, unit: &str) -> Value {
 /// friction and force. With a static friction above the kinetic one, the cycle without a stop, the release of a body at
 /// rest, and every start have forces of their own.
 pub(crate) fn design(asked: &Asked<'_>) -> Result<Value, String> {
-    let Problem { given, point, is_free, is_frictionless, .. } = asked.problem()?;
+    let Problem { given, point, is_free, is_frictionless, is_without_spring, .. } = asked.problem()?;
     if is_free || is_frictionless {
         return Ok(json!([]));
     }
@@ -79,5 +79,8 @@ pub(crate) fn design(asked: &Asked<'_>) -> Result<Value, String> {
         row("best_friction", best.as_ref().map(|best| best.at).map_err(Clone::clone), &force),
         row("energy", best.map(|best| best.value), &given.system.name(Kind::Energy)),
     ]);
+    if is_without_spring {
+        rows.retain(|row| row.get("name").and_then(Value::as_str) != Some("foot_displacement"));
+    }
     Ok(Value::Array(rows))
 }

@@ -8,7 +8,10 @@ use stickslip_front::words;
 
 /// The limits that `count` starts lead to, as `stickslip attractors` finds them.
 pub(crate) fn limits(asked: &Asked<'_>) -> Result<Value, String> {
-    let Problem { given, point, .. } = asked.problem()?;
+    let Problem { given, point, is_without_spring, .. } = asked.problem()?;
+    if is_without_spring {
+        return Err("stiffness: must be > 0. Without a spring a limit has any place".to_owned());
+    }
     let spread = Starts::around(&point.ratios);
     let starts: Vec<_> = (0..asked.count("count", 64, 4096)).map(|number| spread.get(number)).collect();
     let found = attractors(point.ratios, &starts, PERIODS).map_err(|e| String::from(given.at_fault(&e)))?;

@@ -58,9 +58,9 @@ fn body_inputs(asked: &Asked<'_>, reader: &Reader) -> Result<Given<f64>, String>
     Ok(given)
 }
 
-/// The record of the question, and what was read of its file.
-fn load(asked: &Asked<'_>, reader: &Reader) -> Result<Reading<f64>, String> {
-    let (text, name) = (asked.text("text").unwrap_or_default(), asked.text("name").unwrap_or("record"));
+/// The record of the question, and what was read of its file, whose text is in a field of that name.
+pub(crate) fn load(asked: &Asked<'_>, reader: &Reader, field: &str) -> Result<Reading<f64>, String> {
+    let (text, name) = (asked.text(field).unwrap_or_default(), asked.text("name").unwrap_or("record"));
     let options = Options {
         time_step: asked.text("time_step"),
         column: asked.text("column"),
@@ -92,7 +92,7 @@ fn rows(body: &Body<f64>, record: &Record<f64>) -> Result<Vec<Row>, stickslip::E
 /// All states of the motion under the record, in columns with the names of a file.
 pub(crate) fn table(asked: &Asked<'_>) -> Result<Value, String> {
     let reader = asked.reader()?;
-    let record = load(asked, &reader)?.record;
+    let record = load(asked, &reader, "text")?.record;
     let given = body_inputs(asked, &reader)?;
     let rows = rows(&given.body(None)?, &record).map_err(|e| named(asked, &e))?;
     let names = [
@@ -115,7 +115,7 @@ fn named(asked: &Asked<'_>, error: &stickslip::Error) -> String {
 /// The motion of the machine's body under the record, and the answers of `stickslip record`.
 pub(crate) fn record(asked: &Asked<'_>) -> Result<Value, String> {
     let reader = asked.reader()?;
-    let reading = load(asked, &reader)?;
+    let reading = load(asked, &reader, "text")?;
     let unused = reading.unused.clone();
     let channel = Channel::from(reading);
     let read = channel.sentences(stickslip_front::words::digits);
@@ -163,7 +163,7 @@ pub(crate) fn record(asked: &Asked<'_>) -> Result<Value, String> {
 /// The answers of bodies like the machine's with the natural periods `periods` in s, as `stickslip spectrum` gives them.
 pub(crate) fn spectrum(asked: &Asked<'_>) -> Result<Value, String> {
     let reader = asked.reader()?;
-    let record = load(asked, &reader)?.record;
+    let record = load(asked, &reader, "text")?.record;
     let mut given = body_inputs(asked, &reader)?;
     for input in Input::of_role(Role::Spring) {
         given.take(input);

@@ -1,11 +1,13 @@
 //! Several bodies, described as in a file of `stickslip system`.
 
 use crate::asked::Asked;
+use crate::record::load;
 use serde_json::{Map, Value, json};
 use std::path::Path;
 use stickslip_front::curve::SETTLED;
 use stickslip_front::inputs::units::Kind;
 use stickslip_front::limits::MOST_ADDED;
+use stickslip_front::record::Channel;
 use stickslip_front::system::{
     Answer, Described, Description, Digits, NamedSystem, OfBorder, Samples, border_verdict, digits_sentence,
     parsed, steady_verdict,
@@ -38,17 +40,30 @@ fn no_border(system: &NamedSystem, error: &stickslip::system::Error) -> String {
     let model = &system.described.model;
     if !model.elements.iter().any(stickslip_front::system::is_contact) {
         "There is no contact with friction, and nothing sticks.".to_owned()
-    } else if model.harmonics.iter().all(|load| load.cos.iter().chain(&load.sin).all(|&x| x == 0.0)) {
+    } else if model.records.is_empty()
+        && model.harmonics.iter().all(|load| load.cos.iter().chain(&load.sin).all(|&x| x == 0.0))
+    {
         "There is no load, and no multiple of it keeps the contact from sticking.".to_owned()
     } else {
         format!("No least load without sticking is computed: {error}.")
     }
 }
 
-/// What the system is, its steady motion, or with `until` the motion from its start to that time, with `count` samples,
-/// and the least load without sticking, as `stickslip system` answers.
-pub(crate) fn system(asked: &Asked<'_>) -> Result<Value, String> {
+/// The system on a base that moves as the record in the text `record`, if there is one, and what was read of that.
+fn shaken(asked: &Asked<'_>) -> Result<(NamedSystem, Option<String>), String> {
     let system = named(asked)?;
+    if asked.text("record").is_none() {
+        return Ok((system, None));
+    }
+    let channel = Channel::from(load(asked, &system.reader(), "record")?);
+    let read = channel.sentences(stickslip_front::words::digits);
+    Ok((system.with_record(&channel.record, asked.text("name").unwrap_or("record"))?, Some(read)))
+}
+
+/// What the system is, its steady motion, or with `until` or a record the motion from its start to that time or to the end of
+/// the record, with `count` samples, and the least load without sticking, as `stickslip system` answers.
+pub(crate) fn system(asked: &Asked<'_>) -> Result<Value, String> {
+    let (system, read) = shaken(asked)?;
     let (engine, described) = (&system.system, &system.described);
     let count = asked.count("count", 400, MOST).max(1);
     let times = |until: f64| -> Vec<f64> { (0..=count).map(|i| until * (i as f64 / count as f64)).collect() };
@@ -61,9 +76,13 @@ pub(crate) fn system(asked: &Asked<'_>) -> Result<Value, String> {
         let states = system.states(start, &times).map_err(failed)?;
         as_json(&Samples::new(described, &times, &states))
     };
-    if let Some(text) = asked.text("until") {
-        let until: f64 = system.reader().value("until", text, Kind::Time)?;
-        system.check_until(until, &format!("until {text}"))?;
+    let until = match asked.text("until") {
+        Some(text) => Some((system.reader().value("until", text, Kind::Time)?, format!("until {text}"))),
+        None => read.is_some().then(|| (system.end_of_records(), "end of the record".to_owned())),
+    };
+    add("read", json!(read));
+    if let Some((until, typed)) = until {
+        system.check_until(until, &typed)?;
         let (motion, digits) = system.simulate(&described.start, until).map_err(failed)?;
         let verdict = format!("The motion from the start to {} s.", stickslip_front::words::digits(until));
         add("verdict", json!(with_digits(verdict, described, digits.as_ref())));

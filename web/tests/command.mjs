@@ -6,7 +6,7 @@ import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import test from "node:test";
-import { machines } from "./machines.mjs";
+import { machines, random } from "./machines.mjs";
 import { asker, glue } from "./module.mjs";
 
 const command = process.env.STICKSLIP_COMMAND || "stickslip";
@@ -237,6 +237,52 @@ test("a curve is resolved where the command resolves it", (t) => {
   }
   assert.ok(peaks > 8 && onsets >= 2, `${peaks} ${onsets}`);
   t.diagnostic(`${peaks} peaks and ${onsets} onsets; heights agree to ${most}`);
+});
+
+test("a body without a spring is that of the command", (t) => {
+  const next = random(5);
+  const between = (low, high) => Number((low * (high / low) ** next()).toPrecision(6));
+  let fields = 0;
+  for (let i = 0; i < 12; i++) {
+    const [name, size] = [["force", `${between(2, 40)} N`], ["base_acceleration", `${between(1, 30)} m/s^2`], ["unbalance", `${between(0.05, 1)} kg*m`]][i % 3];
+    const inputs = { mass: `${between(1, 4)} kg`, stiffness: "0", friction: `${between(1, 8)} N`, [name]: size, frequency: `${between(0.5, 9)} Hz` };
+    if (i % 4 === 1) inputs.damping = `${between(0.1, 9)} N*s/m`;
+    if (i % 4 === 2) inputs.static_friction_ratio = String(between(1.05, 1.6));
+    const options = Object.entries(inputs).flatMap(([own, text]) => [`--${own.replaceAll("_", "-")}`, text]);
+    const line = (ask) => {
+      const ran = spawnSync(command, [ask, ...options, "--format", "json"], { encoding: "utf8" });
+      assert.equal(ran.status, 0, ran.stderr);
+      return JSON.parse(ran.stdout);
+    };
+    const where = JSON.stringify(inputs);
+    const found = ask({ ask: "answer", inputs });
+    assert.ok(found.is_without_spring && found.omega === null && found.damping_ratio === null, where);
+    fields += compared(found.values, line("response"), where);
+    const steady = line("steady");
+    fields += compared(found.steady.values, steady, where);
+    for (const { name, value } of found.machine) assert.equal(value, steady.physical[name], `${where}: ${name}`);
+    assert.ok(!found.machine.some((own) => ["period", "natural_frequency", "friction_displacement"].includes(own.name)));
+    const text = spawnSync(command, ["steady", ...options], { encoding: "utf8" }).stdout;
+    assert.ok(text.includes(found.steady.verdict) && found.notes.every((note) => text.includes(note)), `${found.steady.verdict}\n${text}`);
+    // The curve is about the frequency of the drive. The command has none with a static friction.
+    if (inputs.static_friction_ratio) continue;
+    const curve = ask({ ask: "curve", inputs, from: 0.5, to: 2, count: 5 });
+    const without = options.filter((_, k) => !(options[k] === "--frequency" || options[k - 1] === "--frequency"));
+    const ran = spawnSync(command, ["response-curve", "displacement", ...without, "--frequency", curve.frequency.map((f) => `${f}Hz`).join(",")], { encoding: "utf8" });
+    assert.equal(ran.status, 0, ran.stderr);
+    const due = ran.stdout.trimEnd().split("\n").slice(1).map((row) => row.split(",")).filter((row) => row.at(-1) === "grid");
+    assert.equal(due.length, curve.frequency.length);
+    due.forEach((row, k) => assert.ok(Math.abs(curve.displacement[k] - Number(row[3])) <= 1e-12 * Math.abs(Number(row[3])), `${where}: ${row} ${curve.displacement[k]}`));
+  }
+  // In closed form, without a stop: √(α² − π²/4) r_y/(m ω_d²).
+  const found = ask({ ask: "answer", inputs: { mass: "2", stiffness: "0", friction: "3", force: "9", frequency: "5" } });
+  const peak = found.steady.values.find((row) => row.name === "max_displacement");
+  assert.ok(Math.abs(peak.physical.value / ((Math.sqrt(9 - Math.PI ** 2 / 4) * 3) / 50) - 1) < 1e-14 && peak.value === null);
+  const rows = ask({ ask: "design", inputs: { mass: "2", stiffness: "0", friction: "3", force: "9", frequency: "5" } });
+  assert.ok(Math.abs(rows.find((row) => row.name === "force").value / (3 * Math.hypot(1, Math.PI / 2)) - 1) < 1e-14);
+  assert.ok(!rows.some((row) => row.name === "foot_displacement"));
+  assert.throws(() => ask({ ask: "limits", inputs: { mass: "2", stiffness: "0", friction: "3", static_friction_ratio: "1.2", force: "9", frequency: "5" } }), /Without a spring a limit has any place/);
+  t.diagnostic(`${fields} numbers`);
 });
 
 test("friction of 0, a force of 0 and a start are ordinary", () => {

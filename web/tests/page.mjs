@@ -753,7 +753,7 @@ test("sliders, check boxes and buttons are at least 24 pixels high", async () =>
 
 test("each example has an answer, and two masses have theirs", async () => {
   const page = await opened();
-  const due = { isolator: /Non-sticking/, dither: /Non-sticking/, feeder: /Non-sticking/, damper: /./, slope: /./, decay: /Free vibration: the body comes to rest/, textbook: /Sticking: .*2 stops/ };
+  const due = { isolator: /Non-sticking/, dither: /Non-sticking/, feeder: /Non-sticking/, damper: /./, slope: /./, decay: /Free vibration: the body comes to rest/, crate: /Sticking: .*2 stops in a cycle, 15\.65 % of the time/, textbook: /Sticking: .*2 stops/ };
   for (const [name, words] of Object.entries(due)) {
     await page.click(`[data-preset=${name}]`);
     await page.waitForFunction(() => shown.answer && JSON.stringify(shown.answer.inputs) === JSON.stringify(inputs()));
@@ -1197,6 +1197,105 @@ test("a belt and a friction that falls with speed are in the file, the sketch an
   await page.waitForFunction(() => twoAnswer?.text === systemText() && shown.systemCurve);
   assert.ok(await page.isVisible("#two-curve"));
   assert.doesNotMatch(await page.textContent("#system-file"), /"ground", "lower"\]\nstiffness/);
+  await closed(page);
+});
+
+test("a stop with a restitution, Stribeck's law and loads of other shapes are in the file, the sketch, the answer, the link and undo", async () => {
+  const page = await opened("#system=1");
+  const example = async (name) => {
+    await page.click(`#system-presets button:text-is("${name}")`);
+    await page.waitForFunction(() => twoAnswer?.text === systemText());
+    assert.notEqual(await page.textContent("#system-about"), "");
+  };
+  const sketch = () => page.textContent("#two-body");
+  await example("Hammer");
+  assert.match(await page.textContent("#system-verdict"), /^Periodic: .*2 blows in it/);
+  assert.match(await page.textContent("#system-file"), /gap = "2 mm"\nrestitution = "0\.4"\n\[\[forces/);
+  assert.match(await sketch(), /gap 2 mme = 0\.4/);
+  assert.match(await page.textContent("#system-values"), /stop: blows2stop: work/);
+  assert.match(await page.textContent("#system-events"), /s, stop: blow from [\d.]+ m?m\/s to -[\d.]+ m?m\/s/);
+  assert.ok(await page.isDisabled("#two-stop_stiffness"));
+  // The link has the stop, and so has the way back.
+  const link = new URL(page.url()).hash;
+  assert.match(link, /restitution=0\.4/);
+  await page.fill("#two-restitution", "1.4");
+  await page.waitForFunction(() => /restitution 1\.4: must be ≤ 1/.test($("system-error").textContent));
+  await page.locator("#two-restitution").blur();
+  await page.click("#undo");
+  await page.waitForFunction(() => two.restitution === "0.4" && twoAnswer?.text === systemText());
+  await example("Drill string");
+  assert.match(await page.textContent("#system-verdict"), /^Periodic: .*with one rest in it\. The law of contact is a table of \d+ pieces, within .* N of the curve\. The digits are estimated/);
+  assert.match(await page.textContent("#system-file"), /law = \{ static = "8000 N", kinetic = "5000 N", speed = "3 m\/s", exponent = "1", viscous = "10 N\*s\/m" \}\nmoves = "5 m\/s"/);
+  assert.match(await sketch(), /friction 8000 N to 5000 N/);
+  // No more digits than are known: those of the command.
+  const known = await page.evaluate(() => twoAnswer.motion.max_displacement);
+  for (const x of known) assert.ok(String(x).replace(/^-|\.|^0\.0*/g, "").length <= 6, String(x));
+  assert.ok(await page.isVisible("#two-exponent"));
+  await page.selectOption("#two-law", "");
+  assert.ok(!(await page.isVisible("#two-exponent")));
+  await example("Conveyor");
+  assert.match(await page.textContent("#system-verdict"), /^Periodic: .*upper drifts by [\d.]+ mm a period/);
+  assert.match(await page.textContent("#system-file"), /frequency = "6 Hz"\nshape = "pulse"\nduty = "0\.25"/);
+  assert.match(await sketch(), /400 N, 6 Hz pulse/);
+  assert.match(await page.textContent("#system-values"), /upper: drift/);
+  await page.waitForFunction(() => shown.systemCurve && !$("two-curve").hidden);
+  await page.fill("#two-constant", "20 N");
+  assert.match(await page.textContent("#system-file"), /constant = "20 N"/);
+  assert.match(await sketch(), /pulse \+ 20 N constant/);
+  assert.equal(await page.textContent("#system-about"), "");
+  await closed(page);
+  const other = await opened(link);
+  await other.waitForFunction(() => twoAnswer && two.restitution === "0.4");
+  assert.match(await other.textContent("#system-verdict"), /2 blows in it/);
+  await closed(other);
+});
+
+test("two masses take a record for their base", async () => {
+  const page = await opened("#system=1");
+  await page.selectOption("#two-load", "record");
+  await page.waitForFunction(() => /Choose a record/.test($("system-error").textContent));
+  assert.ok(!(await page.isVisible("#two-amplitude")));
+  await page.click("#two-sample");
+  await page.waitForFunction(() => /^The motion from the start to 15 s\./.test($("system-verdict").textContent));
+  assert.equal(await page.textContent("#system-error"), "");
+  assert.match(await page.textContent("#system-border"), /1501 samples.*The pictures have 4001 states/);
+  assert.match(await page.textContent("#two-body"), /base sample\.csv/);
+  assert.equal(await page.textContent("#system-of"), "record sample.csv");
+  assert.ok(!(await page.isVisible("#two-curve")));
+  await page.setInputFiles("#two-file", { name: "bare.csv", mimeType: "text/csv", buffer: Buffer.from("0\n0.1\n-0.2\n0.1\n0\n") });
+  await page.waitForFunction(() => /bare\.csv/.test($("system-error").textContent));
+  await page.fill("#two-time_step", "0.5 s");
+  await page.fill("#two-record_units", "g");
+  await page.waitForFunction(() => $("system-error").textContent === "" && /^The motion from the start to 2 s\./.test($("system-verdict").textContent));
+  await closed(page);
+});
+
+test("a body without a spring has its answers, and the page says what it does not have", async () => {
+  const page = await opened();
+  await page.click("[data-preset=crate]");
+  await page.waitForFunction(() => shown.answer?.is_without_spring);
+  await quiet(page);
+  assert.match(await page.textContent("#key"), /force ratio α1\.53peak displacement5\.534 mmpeak velocity93\.39 mm\/s/);
+  assert.match(await page.textContent("#notes"), /from the middle of the motion/);
+  assert.match(await page.textContent("#map-note"), /no natural frequency and no Ω: this map does not exist/);
+  assert.ok(!(await page.isVisible("#map")));
+  await page.waitForFunction(() => /no natural frequency, and no peak/.test($("curve-note").textContent) && $("curve").querySelector(".here"));
+  // √(1 + π²/4) times the friction of 0.2 m g.
+  const due = Math.hypot(1, Math.PI / 2) * 0.2 * 200 * 9.80665;
+  await page.waitForFunction(() => /^The body never sticks at a force of/.test($("design").textContent));
+  const force = /at a force of ([\d.]+) N or more: an unbalance of .*, or a motion of .* of a base/.exec(await page.textContent("#design"))[1];
+  assert.ok(Math.abs(force / due - 1) < 1e-3, `${force} ${due}`);
+  assert.doesNotMatch(await page.textContent("#design"), /spring's support/);
+  assert.match(await page.textContent("#command"), /--stiffness 0 /);
+  // The sketch has no spring, and ratios do not exist.
+  assert.equal(await page.evaluate(() => $("body").querySelectorAll("path")[4].getAttribute("d")), "");
+  await page.fill("#in-stiffness", "20 N/mm");
+  await page.waitForFunction(() => !shown.answer?.is_without_spring && isOfNow(shown.answer) && $("map").offsetHeight > 0);
+  await quiet(page);
+  assert.notEqual(await page.evaluate(() => $("body").querySelectorAll("path")[4].getAttribute("d")), "");
+  await page.click("[data-preset=crate]");
+  await page.fill("#in-damping_ratio", "2 %");
+  await page.waitForFunction(() => /damping ratio.*must be left out without a spring/.test($("error").textContent));
   await closed(page);
 });
 

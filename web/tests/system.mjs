@@ -17,7 +17,7 @@ test.after(() => rmSync(folder, { recursive: true }));
 
 // The description that the page writes.
 const source = readFileSync(new URL("../page/system.js", import.meta.url), "utf8");
-const body = /function systemText\(of = two\) {[^]*?\n}\n/.exec(source)[0];
+const body = [/const isStribeck = .*\n/, /const isCut = .*\n/, /function systemText\(of = two\) {[^]*?\n}\n/].map((part) => part.exec(source)[0]).join("");
 const zero = (text) => Number.parseFloat(text) === 0;
 const systemText = new Function("two", "isZero", `${body}; return systemText;`)({}, zero);
 const columnsBody = /function systemColumns\(samples\) {[^]*?\n}\n/.exec(source)[0];
@@ -32,7 +32,10 @@ test("two masses are those of the command", (t) => {
   const next = random(7);
   const between = (low, high) => Number((low * (high / low) ** next()).toPrecision(6));
   const some = (part, text) => (next() < part ? text() : "");
-  let [numbers, steady, borders, kinds, sampled] = [0, 0, 0, new Map(), new Map()];
+  // Blows, Stribeck's law and loads of other shapes, beside the draws of the rest.
+  const own = random(11);
+  const span = (low, high) => Number((low * (high / low) ** own()).toPrecision(6));
+  let [numbers, steady, borders, blows, curves, shapes, kinds, sampled] = [0, 0, 0, 0, 0, 0, new Map(), new Map()];
   for (let i = 0; i < count; i++) {
     const force = next() < 0.7;
     const of = {
@@ -45,6 +48,10 @@ test("two masses are those of the command", (t) => {
     if (!of.elastic && next() < 0.25) of.peak = String(between(1.01, 1.8));
     // Without a belt the law alone: a friction that falls, and stays from a speed on.
     if (!of.elastic && next() < 0.15) Object.assign(of, { falls: `${between(10, 1000)} N`, over: `${between(0.01, 2)} m/s` });
+    if (of.gap && own() < 0.5) Object.assign(of, { restitution: String(Number(own().toPrecision(3))), gap: `${span(0.01, 1)} mm` });
+    if (of.falls && own() < 0.4) Object.assign(of, { law: "stribeck", exponent: own() < 0.5 ? "" : "1", viscous: own() < 0.5 ? "" : `${span(0.001, 0.1)} N*s/mm` });
+    if (own() < 0.1) Object.assign(of, { shape: ["square", "triangle", "sawtooth", "pulse"][Math.floor(4 * own())], duty: String(Number((0.1 + 0.8 * own()).toPrecision(3))) });
+    if (own() < 0.1) of.constant = force ? `${span(1, 200)} N` : `${span(0.001, 0.02)} g`;
     const text = systemText(of);
     const file = join(folder, "two.toml");
     writeFileSync(file, text);
@@ -56,10 +63,15 @@ test("two masses are those of the command", (t) => {
       assert.ok(due.startsWith("error") && due.includes(error.message.replace(/^system/, "").slice(0, 40)), `${error.message}\n${due}\n${text}`);
       continue;
     }
-    const own = JSON.parse(due);
-    assert.deepEqual(found.motion, own, text);
-    kinds.set(own.kind, (kinds.get(own.kind) || 0) + 1);
-    numbers += 4 * own.coordinates.length + 3 * own.elements.length + 2 * own.events.length + 2 * (own.multipliers?.length || 0) + 8;
+    const line = JSON.parse(due);
+    assert.deepEqual(found.motion, line, text);
+    kinds.set(line.kind, (kinds.get(line.kind) || 0) + 1);
+    numbers += 4 * line.coordinates.length + 3 * line.elements.length + 2 * line.events.length + 2 * (line.multipliers?.length || 0) + 8;
+    const ofBlows = line.events.filter((event) => event.velocity_before !== undefined).length;
+    numbers += 2 * ofBlows;
+    blows += ofBlows;
+    if (line.laws) curves += 1;
+    if (of.shape) shapes += 1;
     steady += 1;
     if (i % 10 === 0) {
       const rows = run(["system", file, "steady", "--samples", "3"]).trimEnd().split("\n").map((line) => line.split(","));
@@ -82,7 +94,25 @@ test("two masses are those of the command", (t) => {
   assert.ok(steady > 0.9 * count, `${steady} of ${count}`);
   assert.ok(borders > count / 40, String(borders));
   assert.ok(sampled.get(true) > 0 && sampled.get(false) > 0, JSON.stringify([...sampled]));
-  t.diagnostic(`${numbers} numbers of ${steady} systems, ${borders} borders; ${[...kinds].map(([kind, n]) => `${kind}: ${n}`).join(", ")}`);
+  assert.ok(blows > count / 20 && curves > count / 100 && shapes > count / 40, `${blows} blows, ${curves} curves, ${shapes} shapes`);
+  t.diagnostic(`${numbers} numbers of ${steady} systems, ${borders} borders, ${blows} blows, ${curves} curves, ${shapes} shapes; ${[...kinds].map(([kind, n]) => `${kind}: ${n}`).join(", ")}`);
+});
+
+test("two masses under a record are those of the command", () => {
+  const text = systemText({ units: "N,mm", m1: "1 t", m2: "500 kg", k1: "200 N/mm", k2: "300 N/mm", c1: "0.3 N*s/mm", c2: "", contact: "ground,lower", friction: "450 N", stop: "lower,upper", gap: "1 mm", restitution: "0.3", load: "record", amplitude: "1 g", frequency: "1 Hz", constant: "1 g" });
+  assert.doesNotMatch(text, /base|forces/);
+  const [file, shake] = ["two-shaken.toml", "shake.csv"].map((name) => join(folder, name));
+  const record = `Time (s);Acc (g)\n${Array.from({ length: 301 }, (_, i) => `${(i / 50).toFixed(2)};${(0.2 * Math.sin(i / 7) * Math.sin(i / 60)).toFixed(5)}`).join("\n")}\n`;
+  writeFileSync(file, text);
+  writeFileSync(shake, record);
+  const found = ask({ ask: "system", text, record, name: shake, count: 3 });
+  const due = JSON.parse(run(["system", file, "record", shake, "--format", "json"]));
+  for (const [name, value] of Object.entries(found.motion)) assert.deepEqual(value, due[name], name);
+  assert.ok(found.motion.duration === 6 && found.motion.events.some((event) => event.kind === "blow"), JSON.stringify(found.motion.events));
+  const rows = run(["system", file, "record", shake, "--samples", "3"]).trimEnd().split("\n").map((line) => line.split(","));
+  Object.values(systemColumns(found.samples)).forEach((list, k) => assert.deepEqual(list, rows.slice(1).map((row) => Number(row[k]))));
+  const said = run(["system", file, "record", shake]);
+  assert.ok(said.includes(found.verdict) && said.startsWith(found.read.slice(0, 60)), `${found.read}\n${said.slice(0, 300)}`);
 });
 
 test("a curve of two masses is that of the command", () => {
@@ -112,7 +142,7 @@ test("a curve of two masses is that of the command", () => {
 
 test("what is wrong with two masses is said by name", () => {
   const of = (change) => () => ask({ ask: "system", text: systemText({ units: "N,mm", m1: "1 t", m2: "1 t", k1: "1 N/mm", k2: "1 N/mm", c1: "", c2: "", contact: "ground,lower", friction: "1 N", elastic: "", peak: "", gap: "", stop: "lower,upper", stop_stiffness: "", load: "upper", amplitude: "2 N", frequency: "1 Hz", ...change }) });
-  assert.throws(of({ m1: "-1 t" }), /masses\.lower -1 t: must be > 0/);
+  assert.throws(of({ m1: "-1 t" }), /masses\.lower -1 t: must be ≥ 0/);
   assert.throws(of({ friction: "1 kg" }), /friction 1 kg/);
   assert.throws(of({ peak: "0.5" }), /static_ratio 0\.5/);
   assert.throws(of({ m2: "1,200 kg" }), /1,200 kg/);

@@ -1,13 +1,16 @@
-//! A drawing as a page of PDF: paths only, with the letters as outlines of an embedded font.
+//! A drawing as a page of PDF: paths, and texts in an embedded font.
 //!
 //! Our drawings have solid lines, areas and texts, and nothing else of SVG, so that the operators of a page that are
-//! used here are few: PDF 32000-1:2008, 7.5 (the file), 8.5 (paths), 8.4 (line styles).
+//! used here are few: PDF 32000-1:2008, 7.5 (the file), 8.5 (paths), 8.4 (line styles), 9.4 (texts).
+
+mod letters;
 
 use super::png::tree;
 use flate2::Compression;
 use flate2::write::ZlibEncoder;
+use letters::Letters;
 use resvg::tiny_skia::{PathSegment, Transform};
-use resvg::usvg::{Color, FillRule, Group, LineCap, LineJoin, Node, Paint, Path, Stroke};
+use resvg::usvg::{Color, FillRule, Group, LineCap, LineJoin, Node, Paint, Path, Stroke, Text};
 use std::fmt::Write as _;
 use std::io::{self, Write as _};
 
@@ -20,18 +23,38 @@ pub(crate) fn pdf(svg: &str) -> io::Result<Vec<u8>> {
     let (width, height) = (tree.size().width() * POINTS, tree.size().height() * POINTS);
     // A page counts upwards from its lower left corner.
     let mut content = format!("{POINTS} 0 0 -{POINTS} 0 {} cm\n", number(height));
-    group(tree.root(), &mut content)?;
-    file(width, height, content.as_bytes())
+    let mut letters = Letters::new();
+    group(tree.root(), &mut letters, &mut content)?;
+    file(width, height, content.as_bytes(), &letters)
 }
 
-fn group(group: &Group, content: &mut String) -> io::Result<()> {
+fn group(group: &Group, letters: &mut Letters, content: &mut String) -> io::Result<()> {
     for node in group.children() {
         match node {
-            Node::Group(inner) => self::group(inner, content)?,
+            Node::Group(inner) => self::group(inner, letters, content)?,
             Node::Path(of) => path(of, content)?,
-            Node::Text(text) => self::group(text.flattened(), content)?,
+            Node::Text(of) => text(of, letters, content)?,
             Node::Image(_) => return Err(io::Error::other("a drawing with an image has no PDF")),
         }
+    }
+    Ok(())
+}
+
+/// The glyphs of a text, each at its place: a drawing spaces and turns its texts.
+fn text(text: &Text, letters: &mut Letters, content: &mut String) -> io::Result<()> {
+    for span in text.layouted().iter().filter(|span| span.visible) {
+        let Some(fill) = &span.fill else { continue };
+        line(content, &colour(fill.paint(), fill.opacity().get())?, "rg");
+        content.push_str("BT\n/F 1 Tf\n");
+        let units = letters.units();
+        for glyph in &span.positioned_glyphs {
+            let id = u16::try_from(glyph.id.0).map_err(io::Error::other)?;
+            let to = text.abs_transform().pre_concat(glyph.outline_transform()).pre_scale(units, units);
+            let Transform { sx, kx, ky, sy, tx, ty } = to;
+            line(content, &[sx, ky, kx, sy, tx, ty], "Tm");
+            let _ = writeln!(content, "<{:04x}> Tj", letters.number(id, &glyph.text));
+        }
+        content.push_str("ET\n");
     }
     Ok(())
 }
@@ -141,27 +164,43 @@ fn number(value: f32) -> String {
     if text.is_empty() || text == "-0" { "0".to_owned() } else { text.to_owned() }
 }
 
-/// The file of a page: its objects, the table of their places, and where that table is.
-fn file(width: f32, height: f32, content: &[u8]) -> io::Result<Vec<u8>> {
+/// A stream of bytes as an object, with further entries.
+fn packed(content: &[u8], entries: &str) -> io::Result<Vec<u8>> {
     let mut packed = ZlibEncoder::new(Vec::new(), Compression::default());
     packed.write_all(content)?;
     let packed = packed.finish()?;
-    let mut out = b"%PDF-1.4\n%\xe2\xe3\xcf\xd3\n".to_vec();
+    let mut object =
+        format!("<</Length {}/Filter/FlateDecode{entries}>>\nstream\n", packed.len()).into_bytes();
+    object.extend(packed);
+    object.extend(b"\nendstream");
+    Ok(object)
+}
+
+/// The file of a page: its objects, the table of their places, and where that table is.
+fn file(width: f32, height: f32, content: &[u8], letters: &Letters) -> io::Result<Vec<u8>> {
+    let fonts = if letters.is_empty() { "" } else { "/Font<</F 5 0 R>>" };
     let page = format!(
-        "<</Type/Page/Parent 2 0 R/MediaBox[0 0 {} {}]/Resources<<>>/Contents 4 0 R>>",
+        "<</Type/Page/Parent 2 0 R/MediaBox[0 0 {} {}]/Resources<<{fonts}>>/Contents 4 0 R>>",
         number(width),
         number(height)
     );
-    let objects = ["<</Type/Catalog/Pages 2 0 R>>", "<</Type/Pages/Kids[3 0 R]/Count 1>>", page.as_str()];
+    let mut objects = vec![
+        b"<</Type/Catalog/Pages 2 0 R>>".to_vec(),
+        b"<</Type/Pages/Kids[3 0 R]/Count 1>>".to_vec(),
+        page.into_bytes(),
+        packed(content, "")?,
+    ];
+    if !letters.is_empty() {
+        objects.extend(letters.objects(5)?);
+    }
+    let mut out = b"%PDF-1.4\n%\xe2\xe3\xcf\xd3\n".to_vec();
     let mut places = Vec::new();
     for (object, index) in objects.iter().zip(1..) {
         places.push(out.len());
-        writeln!(out, "{index} 0 obj\n{object}\nendobj")?;
+        writeln!(out, "{index} 0 obj")?;
+        out.extend(object);
+        out.extend(b"\nendobj\n");
     }
-    places.push(out.len());
-    writeln!(out, "4 0 obj\n<</Length {}/Filter/FlateDecode>>\nstream", packed.len())?;
-    out.extend(packed);
-    out.extend(b"\nendstream\nendobj\n");
     let table = out.len();
     writeln!(out, "xref\n0 {}\n0000000000 65535 f ", places.len() + 1)?;
     for place in &places {

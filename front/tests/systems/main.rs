@@ -6,6 +6,7 @@ mod curves;
 mod drives;
 mod grazing;
 mod hostile;
+mod prescribed;
 mod schema;
 mod springs;
 mod stepper;
@@ -13,6 +14,8 @@ mod wrong;
 
 #[path = "../../../tests/random/generator.rs"]
 mod generator;
+#[path = "../../../tests/place/mod.rs"]
+mod place;
 
 use serde_json::{Value, json};
 use std::path::Path;
