@@ -21,7 +21,7 @@ pub(crate) use attractors::{AttractorsArgs, BasinsArgs, RowsArgs};
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 pub(crate) use closed::{BorderArgs, ResponseArgs, VerifyArgs};
 pub(crate) use design::{DesignAim, IdentifyArgs, Question, QuestionArgs};
-pub(crate) use inputs::{BodyArgs, MachineArgs, StartArgs, Typed};
+pub(crate) use inputs::{BodyArgs, MachineArgs, StartArgs, Typed, as_typed};
 pub(crate) use motion::{DecayArgs, PullArgs, ShapeArg, SimulateArgs, SteadyArgs, StreamFormat};
 pub(crate) use pictures::{
     CurveArgs, CurveQuantity, FigureArgs, FiguresArgs, LookArgs, MapArgs, MotionPlotArgs, Picture,
@@ -43,7 +43,7 @@ Examples:
 Limits:
   The closed forms have one body, Coulomb friction and a harmonic drive. Measured loads are records (record,
   spectrum). Several bodies, several harmonics, friction that depends on speed or load, belts, elastic contacts,
-  stops and blows with a coefficient of restitution are systems (system). Friction under a blow needs another tool.
+  stops, and blows with a coefficient of restitution and friction under them, are systems (system).
 
 Units:
   Without a machine every value is a ratio: lengths are in B = r_y/k, velocities in B ω_d, forces in r_y, energies

@@ -66,7 +66,7 @@ pub(crate) fn run(args: &RecordArgs, out: &mut impl Write) -> Outcome {
     if is_json {
         fn entry(channel: &Channel) -> Entry<'_> {
             let Channel { record, summary, peak_frequency, gaps } = channel;
-            Entry { fields: Fields(summary, record.after()), peak_frequency: *peak_frequency, gaps }
+            Entry { fields: Fields(summary, record.after().name()), peak_frequency: *peak_frequency, gaps }
         }
         return output::json(&Entries { channels: channels.iter().map(entry).collect() }, out);
     }

@@ -34,6 +34,22 @@ pub(crate) fn run(args: &IdentifyArgs, out: &mut impl Write) -> Outcome {
     let is_json = args.format.is_json("identify")?;
     let reader = args.units.reader();
     let given = input::read::<f64>(&args.machine, &reader)?;
+    if (args.decay || args.motion) && given.is_without_spring() {
+        let (option, why) = if args.decay {
+            (
+                "--decay",
+                "a body without a spring does not swing. `stickslip decay` has the path of one that slides",
+            )
+        } else {
+            (
+                "--motion",
+                "leave it out, and the stiffness is fitted. The response curve of a body without a spring is answered",
+            )
+        };
+        return Err(
+            format!("{}: must be left out with {option}: {why}", given.label(Input::Stiffness)).into()
+        );
+    }
     if args.decay {
         return decay::run(args, &given, &reader, is_json, out);
     }
@@ -45,7 +61,7 @@ pub(crate) fn run(args: &IdentifyArgs, out: &mut impl Write) -> Outcome {
     let file = Measured::read(&args.file, &name, &reader)?;
     note_mass_beside_columns(args, &reader);
     let reading = Reading { amplitude: args.amplitude, phase: args.phase };
-    let (body, found, fitted) = question.answered(&file.curve, reading).map_err(|e| {
+    let (critical, found, fitted) = question.answered(&file.curve, reading).map_err(|e| {
         // The message names the arguments if they are wrong, and otherwise the file.
         match e.quantity() {
             Some(_) if !matches!(e, Error::InMeasurement { .. }) => {
@@ -54,7 +70,8 @@ pub(crate) fn run(args: &IdentifyArgs, out: &mut impl Write) -> Outcome {
             _ => in_line(e, &name, &file.lines).into(),
         }
     })?;
-    let mut answer = IdentifyAnswer::new(&given, &body, &found, &file, reading.amplitude)?;
+    let mut answer =
+        IdentifyAnswer::new(&given, (question.mass, critical), &found, &file, reading.amplitude)?;
     match fitted {
         Some(Fitted::NaturalFrequency(estimate)) => {
             let hertz = given.system.name(Kind::Hertz);
@@ -71,14 +88,11 @@ pub(crate) fn run(args: &IdentifyArgs, out: &mut impl Write) -> Outcome {
     text(&given, &answer, &found, &file, out)
 }
 
-/// What is known, besides the mass.
-enum Asked {
-    /// The spring and the force.
-    Both(Oscillator<f64>, f64),
-    /// The force: the mass with it.
-    NoSpring(f64, f64),
-    /// The spring.
-    NoForce(Oscillator<f64>),
+/// What is known of the machine: a stiffness of 0 is a body without a spring.
+struct Asked {
+    mass: f64,
+    stiffness: Option<f64>,
+    force: Option<f64>,
 }
 
 /// A reading of the amplitudes that fits better.
@@ -96,43 +110,48 @@ enum Fitted {
 
 impl Asked {
     fn of(given: &Given<f64>) -> Result<Self, Failure> {
-        let (has_spring, has_drive) = (given.stiffness()?.is_some(), given.has_role(Role::Drive));
-        if has_drive && !has_spring {
-            let mass = given.mass()?;
-            if given.has(Input::FootDisplacement) {
-                return Err(given.missing(&Input::of_role(Role::Spring)).into());
-            }
-            // The force of the other drives does not depend on the spring.
-            let body = Oscillator::new(mass, 1.0, 1.0).map_err(|e| given.at_fault(&e))?;
-            return Ok(Self::NoSpring(mass, force(given, &body)?));
+        let (stiffness, has_drive) = (given.stiffness()?, given.has_role(Role::Drive));
+        if stiffness.is_none() && (!has_drive || given.has(Input::FootDisplacement)) {
+            return Err(given.missing(&Input::of_role(Role::Spring)).into());
         }
-        let body = body(given)?;
-        if has_drive { Ok(Self::Both(body, force(given, &body)?)) } else { Ok(Self::NoForce(body)) }
+        if given.is_without_spring() {
+            let label = given.label(Input::Stiffness);
+            if given.has(Input::FootDisplacement) {
+                let label = given.label(Input::FootDisplacement);
+                return Err(format!("{label}: must be left out without a spring").into());
+            }
+            if !has_drive {
+                let text =
+                    "needs the drive, because the amplitude of a body without a spring is a multiple of it";
+                return Err(format!("{label}: {text}").into());
+            }
+        }
+        let mass = given.mass()?;
+        // The force of the other drives does not depend on the spring.
+        let spring = stiffness.filter(|_| !given.is_without_spring()).unwrap_or(1.0);
+        let body = Oscillator::new(mass, spring, 1.0).map_err(|e| given.at_fault(&e))?;
+        let force = if has_drive { Some(force(given, &body)?) } else { None };
+        Ok(Self { mass, stiffness, force })
     }
 
+    /// The fit, and the damping constant for each unit of its damping ratio.
     fn answered(
         &self,
         curve: &[Measurement],
         reading: Reading,
-    ) -> Result<(Oscillator<f64>, Identified, Option<Fitted>), Error> {
-        let (mass, stiffness, force) = match *self {
-            Self::Both(body, force) => (body.mass(), Some(body.stiffness()), Some(force)),
-            Self::NoSpring(mass, force) => (mass, None, Some(force)),
-            Self::NoForce(body) => (body.mass(), Some(body.stiffness()), None),
-        };
+    ) -> Result<(f64, Identified, Option<Fitted>), Error> {
+        let Self { mass, stiffness, force } = *self;
         let found = design::identify(mass, stiffness, force, curve, reading)?;
         let natural = found.natural_frequency.map(Fitted::NaturalFrequency);
         let fitted = natural.or(found.force.map(Fitted::Force));
-        let stiffness = stiffness.or(found.natural_frequency.map(|natural| mass * natural.value.powi(2)));
-        let body = Oscillator::new(mass, stiffness.ok_or(Error::NotIdentified)?, 1.0)?;
-        Ok((body, found, fitted))
+        let critical = match (stiffness, found.natural_frequency) {
+            (Some(stiffness), _) if stiffness > 0.0 => critical_damping(mass, stiffness),
+            (None, Some(natural)) => critical_damping(mass, mass * natural.value.powi(2)),
+            // ζ is then c/(2 m ω₁), with the lowest frequency of the curve.
+            _ => 2.0 * mass * curve.iter().map(|m| m.angular_frequency).fold(f64::INFINITY, f64::min),
+        };
+        Ok((critical, found, fitted))
     }
-}
-
-/// Mass and spring; friction is unknown.
-fn body(given: &Given<f64>) -> Result<Oscillator<f64>, Failure> {
-    let stiffness = given.stiffness()?.ok_or_else(|| given.missing(&Input::of_role(Role::Spring)))?;
-    Oscillator::new(given.mass()?, stiffness, 1.0).map_err(|e| given.at_fault(&e).into())
 }
 
 /// The amplitude of the force, which must be the same at every frequency.
@@ -226,7 +245,7 @@ struct Suspect {
 struct IdentifyAnswer {
     friction: EstimateRecord,
     friction_coefficient: EstimateRecord,
-    damping_ratio: EstimateRecord,
+    damping_ratio: Option<EstimateRecord>,
     damping: EstimateRecord,
     #[serde(skip_serializing_if = "Option::is_none")]
     natural_frequency: Option<EstimateRecord>,
@@ -251,14 +270,13 @@ struct IdentifyAnswer {
 impl IdentifyAnswer {
     fn new(
         given: &Given<f64>,
-        body: &Oscillator<f64>,
+        (mass, critical): (f64, f64),
         found: &Identified,
         file: &Measured,
         amplitude_kind: AmplitudeKind,
     ) -> Result<Self, Failure> {
         let unit = |kind: Kind| given.system.name(kind);
-        let weight = body.mass() * given.gravity()?;
-        let critical = critical_damping(body.mass(), body.stiffness());
+        let weight = mass * given.gravity()?;
         let suspects: Vec<Suspect> = zip(&file.lines, &found.residuals)
             .filter(|(_, residual)| residual.is_suspect())
             .map(|(&line, r)| Suspect { line, amplitude: r.amplitude_is_suspect, phase: r.phase_is_suspect })
@@ -266,7 +284,8 @@ impl IdentifyAnswer {
         Ok(Self {
             friction: EstimateRecord::of(&found.friction_bound, 1.0, unit(Kind::Force)),
             friction_coefficient: EstimateRecord::of(&found.friction_bound, 1.0 / weight, unit(Kind::Ratio)),
-            damping_ratio: EstimateRecord::of(&found.damping_ratio, 1.0, unit(Kind::Ratio)),
+            damping_ratio: (!given.is_without_spring())
+                .then(|| EstimateRecord::of(&found.damping_ratio, 1.0, unit(Kind::Ratio))),
             damping: EstimateRecord::of(&found.damping_ratio, critical, unit(Kind::Damping)),
             natural_frequency: None,
             force: None,
@@ -356,19 +375,14 @@ fn text(
     let IdentifyAnswer { used, measurements, .. } = answer;
     writeln!(out, "Friction and damping that explain {used} of {measurements} measurements best:\n")?;
     for (name, found) in [
-        ("friction force r_y", &answer.friction),
-        ("coefficient µ", &answer.friction_coefficient),
-        ("damping ratio ζ", &answer.damping_ratio),
-        ("damping constant c", &answer.damping),
+        ("friction force r_y", Some(&answer.friction)),
+        ("coefficient µ", Some(&answer.friction_coefficient)),
+        ("damping ratio ζ", answer.damping_ratio.as_ref()),
+        ("damping constant c", Some(&answer.damping)),
+        ("natural frequency", answer.natural_frequency.as_ref()),
+        ("force amplitude p₀", answer.force.as_ref()),
     ] {
-        estimate_line(name, found, out)?;
-    }
-    for (name, found) in
-        [("natural frequency", &answer.natural_frequency), ("force amplitude p₀", &answer.force)]
-    {
-        if let Some(found) = found {
-            estimate_line(name, found, out)?;
-        }
+        found.map_or(Ok(()), |found| estimate_line(name, found, out))?;
     }
     let noise = digits(100.0 * answer.noise);
     writeln!(out, "  noise               {noise} %, relative error of one amplitude")?;

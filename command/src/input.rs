@@ -120,6 +120,14 @@ pub(crate) fn mean_displacement<F: Value>(given: &Given<F>, body: &Oscillator<F>
         .map_err(|e| given.at_fault(&e).into())
 }
 
+/// Says that the answer is that of a unit of mass.
+pub(crate) fn note_unit_mass(system: &System) {
+    let unit = system.name(Kind::Mass);
+    progress::note(&format!(
+        "--mass is left out: motions do not depend on it, and forces, stiffness and energies are those of 1 {unit}"
+    ));
+}
+
 /// The inputs with a mass of 1 where none is given and the mass cancels: the body by its period or as a pendulum, friction
 /// by its coefficient, and everything else by ratios or as a motion of the base.
 pub(crate) fn with_any_mass<F: Value>(given: &Given<F>) -> Cow<'_, Given<F>> {
@@ -130,10 +138,7 @@ pub(crate) fn with_any_mass<F: Value>(given: &Given<F>) -> Cow<'_, Given<F>> {
     if !cancels {
         return Cow::Borrowed(given);
     }
-    let unit = given.system.name(Kind::Mass);
-    progress::note(&format!(
-        "--mass is left out: motions do not depend on it, and forces, stiffness and energies are those of 1 {unit}"
-    ));
+    note_unit_mass(&given.system);
     let mut given = given.clone();
     given.set(Input::Mass, F::int(1));
     Cow::Owned(given)
@@ -159,12 +164,15 @@ pub(crate) fn note_frictionless<F: Value>(given: &Given<F>) {
     }
 }
 
-/// Refuses friction 0 where limits are searched by their starts: a linear motion has but one. Without a spring the limits
-/// have every place.
+/// Refuses friction 0 where limits are searched by their starts: a linear motion has but one. A body without a spring has one, too,
+/// at any place: its velocity alone decides, and of two slides that begin at rest the earlier one ends later.
 pub(crate) fn refuse_frictionless<F: Value>(given: &Given<F>) -> Result<(), Failure> {
     if given.is_without_spring() {
         let label = given.label(Input::Stiffness);
-        return Err(format!("{label}: must be > 0. Without a spring a limit has any place").into());
+        return Err(format!(
+            "{label}: every start has one limit, but for its place, which no spring holds. `stickslip steady` answers with it"
+        )
+        .into());
     }
     if !given.is_without_friction() {
         return Ok(());

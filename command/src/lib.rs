@@ -156,6 +156,7 @@ fn run_command(command: &Command) -> Outcome {
 }
 
 fn report(failure: &Failure) -> ExitCode {
-    let _ = writeln!(anstream::stderr(), "{} {}", style::label(), failure.message());
+    let message = args::as_typed(failure.message(), std::env::args_os());
+    let _ = writeln!(anstream::stderr(), "{} {message}", style::label());
     failure.exit_code()
 }

@@ -8,7 +8,7 @@ use crate::rows;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::BufReader;
 use std::path::Path;
-use stickslip::motion::record::{After, Record};
+use stickslip::motion::record::Record;
 use stickslip_front::inputs::units::Reader;
 use stickslip_front::record::{self, Options, Summary, Words};
 use stickslip_front::text::printable;
@@ -56,10 +56,15 @@ pub(crate) fn read<F: Value>(
     Ok((record, summary))
 }
 
+/// What was read of a file, in a line.
+pub(crate) fn line(summary: &Summary) -> String {
+    // The name of a channel is the file's.
+    printable(&summary.sentence(digits)).into_owned()
+}
+
 /// What was read of a file and what follows it, in two lines.
 pub(crate) fn lines<F: Value>(summary: &Summary, record: &Record<F>) -> String {
-    // The name of a channel is the file's.
-    format!("{}\n{}", printable(&summary.sentence(digits)), record::follows(record))
+    format!("{}\n{}", line(summary), record::follows(record))
 }
 
 /// An answer in JSON, and what was read of its file under the key `record`.
@@ -72,13 +77,18 @@ pub(crate) struct Described<'a, A: Serialize> {
 
 impl<'a, A: Serialize> Described<'a, A> {
     pub(crate) fn new<F: Value>(answer: &'a A, summary: &'a Summary, record: &Record<F>) -> Self {
-        Self { answer, record: Fields(summary, record.after()) }
+        Self { answer, record: Fields(summary, record.after().name()) }
+    }
+
+    /// Of a record that repeats itself.
+    pub(crate) const fn repeated(answer: &'a A, summary: &'a Summary) -> Self {
+        Self { answer, record: Fields(summary, "repeats") }
     }
 }
 
 /// The fields of a summary, and what follows the record.
 #[derive(Debug)]
-pub(crate) struct Fields<'a>(pub(crate) &'a Summary, pub(crate) After);
+pub(crate) struct Fields<'a>(pub(crate) &'a Summary, pub(crate) &'static str);
 
 impl Serialize for Fields<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -108,7 +118,7 @@ impl Serialize for Fields<'_> {
         map.serialize_entry("mean", mean)?;
         map.serialize_entry("unit", unit)?;
         map.serialize_entry("notes", notes)?;
-        map.serialize_entry("after", self.1.name())?;
+        map.serialize_entry("after", self.1)?;
         map.end()
     }
 }

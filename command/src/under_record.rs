@@ -6,7 +6,6 @@ use crate::enclose;
 use crate::failure::{Failure, Outcome};
 use crate::figure::Target;
 use crate::floor::FloorSpectrum;
-use crate::input;
 use crate::measured::{self, Described};
 use crate::motion_plot;
 use crate::output::{self, PendingFile};
@@ -14,18 +13,49 @@ use crate::physical::Physical;
 use crate::row::{Cell, Cells, Number};
 use crate::shaken::{Shaken, needs_mass};
 use crate::sink::Sink;
+use crate::system::steady_motion;
+use crate::{input, interrupt};
 use serde::Serialize;
 use std::io::Write;
 use std::path::Path;
 use stickslip::motion::record::{Entry, Record, RecordAnswer, RecordMotion, RecordState};
 use stickslip_draw::{Axis, Figure, Panel, Series, Style};
 use stickslip_front::inputs::units::{Kind, System};
+use stickslip_front::system::{Answer, OneBody, Repeated};
 
 pub(crate) fn run(args: &RecordArgs, out: &mut impl Write) -> Outcome {
     if args.enclose {
         return enclose::record(args, out);
     }
+    if args.repeats {
+        return repeated(args, out);
+    }
     at_bits!(args.answer.bits, follow(args: &RecordArgs, out))
+}
+
+/// The motion under a record that repeats itself.
+fn repeated(args: &RecordArgs, out: &mut impl Write) -> Outcome {
+    if let Some(bits) = args.answer.bits.filter(|bits| *bits > f64::MANTISSA_DIGITS) {
+        return Err(format!("--bits {bits}: must be ≤ {} with --repeats", f64::MANTISSA_DIGITS).into());
+    }
+    let Shaken { given, body, record, summary, start, has_mass, .. } = Shaken::<f64>::read(args)?;
+    let system = given.system;
+    if system.name(Kind::Acceleration) == "g" {
+        return Err("--units: must have no g with --repeats".into());
+    }
+    if !has_mass {
+        input::note_unit_mass(&system);
+    }
+    let one = OneBody::new(&body, system, start, Repeated::Record(&record));
+    let one = one.map_err(|e| format!("{}: {e}", args.file.display()))?;
+    let one = one.while_allowed(interrupt::keep_going);
+    let found = one.steady()?;
+    if args.answer.format.is_json("record")? {
+        let answer = Answer::steady(&one.system.described, &found);
+        return output::json(&Described::repeated(&answer, &summary), out);
+    }
+    writeln!(out, "{}\nIt repeats itself.\n", measured::line(&summary))?;
+    steady_motion(&one.system, &found, None, out)
 }
 
 fn follow<F: Value>(args: &RecordArgs, out: &mut impl Write) -> Outcome {

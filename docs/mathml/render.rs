@@ -112,7 +112,10 @@ fn render_chapters(value: &mut Value) -> Result<(), Box<dyn Error>> {
         Value::Object(fields) => {
             for (name, field) in fields {
                 match field {
-                    Value::String(text) if name == "content" => *text = page(text)?,
+                    // mdBook has its first page as `index`, and does not change the links to it.
+                    Value::String(text) if name == "content" => {
+                        *text = page(&text.replace("](README.md", "](index.md"))?;
+                    }
                     field => render_chapters(field)?,
                 }
             }

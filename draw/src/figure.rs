@@ -44,6 +44,8 @@ pub struct Axis {
     pub high: f64,
     /// Whether the scale is logarithmic.
     pub logarithmic: bool,
+    /// The greatest value of the axes of its unit in the figure, whose prefix it has, too; 0 for an axis by itself.
+    pub(crate) beside: f64,
 }
 
 impl Panel {
@@ -63,7 +65,7 @@ impl Axis {
     /// An axis with a linear or a logarithmic scale.
     #[must_use]
     pub fn new(label: &str, (low, high): (f64, f64), logarithmic: bool) -> Self {
-        Self { label: label.to_owned(), low, high, logarithmic }
+        Self { label: label.to_owned(), low, high, logarithmic, beside: 0.0 }
     }
 
     /// An axis with a linear scale.

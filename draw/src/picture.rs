@@ -50,6 +50,7 @@ impl Figure {
 
 /// The drawing of a figure.
 fn svg(figure: &Figure, size: Option<(u32, u32)>) -> io::Result<String> {
+    let figure = &*scale::in_one_unit(figure);
     let fitted = |legend| {
         let layout = Layout::of(figure, legend);
         let fitted = size.map_or(Some(layout.by_itself(figure)), |size| layout.fitted(figure, size));

@@ -13,11 +13,15 @@ mod digits;
 mod file;
 mod formula;
 mod grid;
+mod interval;
 mod laws;
 mod named;
 mod node;
+mod one_body;
+mod proved;
 mod sentence;
 mod signals;
+mod smooth;
 mod spring;
 mod tabled;
 mod unique;
@@ -29,6 +33,7 @@ pub use described::Described;
 pub use description::{Description, OfElement, OfSliding, OfThreshold};
 pub use file::{LONGEST, MOST_VALUES, decoded, parsed, units_of};
 pub use grid::{Asked, Axis, Cell, Grid, MOST_ROWS};
+pub use one_body::{OneBody, Repeated};
 pub use sentence::{
     border_verdict, digits_sentence, frequency_of, plural, sliding_verdict, steady_verdict, with_unit,
 };

@@ -1,6 +1,6 @@
 //! The answers in words, for the command and the page in the browser.
 
-use stickslip::internal::{Observed, observed};
+use stickslip::internal::{Observed, observed, springless_exponent};
 use stickslip::motion::{Attractor, LongRun, SteadyState};
 use stickslip::{Excitation, Float, Ratios, Regime, Response};
 
@@ -182,7 +182,9 @@ pub fn origin<F: Float>(ratios: Ratios<F>, limit: &LongRun<F>) -> String {
     if !ratios.is_damped() && ratios.alpha() > F::exp2i(80) {
         return "One periodic motion. Without friction and a damper, the free vibration of a start stays beside it.".to_owned();
     }
-    if !ratios.has_higher_static_friction() {
+    // Without a spring the velocity alone decides.
+    let is_free = ratios.omega() >= F::exp2i(springless_exponent::<F>().saturating_sub(2));
+    if is_free || !ratios.has_higher_static_friction() {
         return "One periodic motion, from every start.".to_owned();
     }
     let cycle = match steady.turns_per_cycle {

@@ -325,8 +325,9 @@ fn identify<'py>(
 ) -> PyResult<Bound<'py, PyDict>> {
     // Without a stiffness the natural frequency is fitted, too; without a force its amplitude.
     let mass = of.1.is_nan().then_some(of.0);
-    let body =
-        body(if mass.is_some() { (of.0, 1.0, of.2, of.3, of.4, of.5) } else { of }).map_err(refused)?;
+    let is_free = of.1 == 0.0;
+    let any = (of.0, 1.0, of.2, of.3, of.4, of.5);
+    let body = body(if mass.is_some() || is_free { any } else { of }).map_err(refused)?;
     let phase = phase.as_ref().map(|p| p.as_slice()).transpose()?;
     let points = angular_frequency.as_slice()?.iter().zip(amplitude.as_slice()?).enumerate();
     let curve: Vec<Measurement> = points
@@ -347,7 +348,7 @@ fn identify<'py>(
         let static_friction_ratio = static_friction_ratio.into();
         return Err(refused(Error::StaticFriction { static_friction_ratio }));
     }
-    let stiffness = mass.is_none().then(|| body.stiffness());
+    let stiffness = mass.is_none().then(|| if is_free { 0.0 } else { body.stiffness() });
     // Neither is refused as a force that is no number.
     let force = if mass.is_some() { Some(force.unwrap_or(f64::NAN)) } else { force };
     let work = move || design::identify(body.mass(), stiffness, force, &curve, reading);

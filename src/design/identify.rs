@@ -32,7 +32,7 @@ mod valleys;
 use crate::machine::error::{Error, Quantity};
 use crate::machine::oscillator::Oscillator;
 use crate::machine::ratios::positive;
-use fit::{identified, in_ratios, sample};
+use fit::{Spring, identified, in_ratios, sample};
 pub use reading::{AmplitudeKind, Identified, Measurement, PhaseKind, Reading, Residual};
 use unknown::{Scaled, fitted};
 
@@ -56,8 +56,22 @@ use unknown::{Scaled, fitted};
 /// parameters. A curve without the resonance may leave the natural frequency to chance: its interval says so. Far from
 /// resonance and with friction alone, the force and friction are hardly apart.
 ///
+/// **Without a spring**, a stiffness of 0, [`Identified::damping_ratio`] is c/(2 m ω₁), with ω₁ the lowest frequency of the curve:
+/// `c = 2ζ m ω₁`. Without a damper the amplitude is `√(p₀² − π² r_y²/4)/(m ω_d²)` where the body does not stop.
+///
+/// ```
+/// use stickslip::design::{Measurement, Reading, identify};
+/// let amplitude = |w: f64| (9.0f64.powi(2) - (3.0 * core::f64::consts::FRAC_PI_2).powi(2)).sqrt() / (2.0 * w * w);
+/// let measured = |w| Measurement { angular_frequency: w, amplitude: amplitude(w), phase: None };
+/// let curve: Vec<_> = (4..12).map(|i| measured(f64::from(i))).collect();
+/// let found = identify(2.0, Some(0.0), Some(9.0), &curve, Reading::default())?;
+/// assert!((found.friction_bound.value - 3.0).abs() < 1e-6);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+///
 /// # Errors
-/// Where mass, stiffness or force is not > 0, [`Error::NotIdentified`] where both stiffness and force are unknown,
+/// Where mass or force is not > 0, or the stiffness not ≥ 0; [`Error::NotIdentified`] where stiffness and force are unknown, or the
+/// force of a body without a spring, whose amplitude is a multiple of it,
 /// [`Error::InMeasurement`] where a measurement is not finite, not > 0 or out of range,
 /// [`Error::TooFewMeasurements`] for fewer than three, or four with an unknown, [`Error::NotIdentified`] where the curve does not
 /// separate friction from damping, [`Error::Unexplained`] where the best fit lies at the end of the range
@@ -72,10 +86,15 @@ pub fn identify(
 ) -> Result<Identified, Error> {
     let mass = positive(Quantity::Mass, mass)?;
     let force = force.map(|force| positive(Quantity::ForceAmplitude, force)).transpose()?;
+    if stiffness == Some(0.0) {
+        let lowest = curve.iter().map(|point| point.angular_frequency).fold(f64::INFINITY, f64::min);
+        let force = force.ok_or(Error::NotIdentified)?;
+        return identified(&Spring::None { mass, lowest }, force, curve, reading);
+    }
     // A friction of any size: it plays no part.
     let body = stiffness.map(|stiffness| Oscillator::new(mass, stiffness, 1.0)).transpose()?;
     match (body, force) {
-        (Some(body), Some(force)) => identified(&body, force, curve, reading),
+        (Some(body), Some(force)) => identified(&Spring::Of(body), force, curve, reading),
         (None, Some(force)) => fitted(Scaled::Natural { mass, force }, curve, reading),
         (Some(body), None) => fitted(Scaled::Force { body }, curve, reading),
         (None, None) => Err(Error::NotIdentified),

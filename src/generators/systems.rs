@@ -1,9 +1,9 @@
 //! Systems of one to six bodies with one to five elements of all kinds, under constants, harmonics and records. Half of them have
 //! round numbers, so that things happen at the same instant, and two elements in three have the direction of an
-//! earlier one, or a sum of two.
+//! earlier one, or a sum of two. One system in five has a body without mass, with elements that it may carry.
 
 use super::ordinary;
-use crate::system::{Beyond, Element, Harmonic, Kind, Law, Model, Normal, Record, Signal, State};
+use crate::system::{Beyond, Element, Harmonic, Kind, Law, Model, Normal, Record, Signal, State, System};
 use alloc::vec;
 use alloc::vec::Vec;
 use arbitrary::{Arbitrary, Result, Unstructured};
@@ -92,7 +92,7 @@ impl Numbers<'_, '_> {
         let friction = if self.one_in(12)? { 0.0 } else { self.within(0.125, 1.0)? };
         let peak = if self.one_in(2)? { 1.0 } else { self.within(1.0, 2.0)? };
         let mut moves = Signal::constant(0.0);
-        let kind = match self.u.int_in_range(0..=7_u8)? {
+        let kind = match self.u.int_in_range(0..=10_u8)? {
             0 => {
                 Kind::Elastic { stiffness: self.within(1.0, 60.0)?, friction: friction + 0.125, normal: None }
             }
@@ -118,9 +118,49 @@ impl Numbers<'_, '_> {
                 moves = self.signal(constant, waves, 0.5)?;
                 Kind::Contact { law: Law::constant(friction), peak, normal: None }
             }
+            5 => {
+                moves = self.signal(0.0, waves, 0.2)?;
+                let gap = self.within(-0.125, 0.75)?;
+                // Restitutions of 0 and 1, too.
+                let restitution = self.within(-0.125, 1.125)?.clamp(0.0, 1.0);
+                Kind::HardStop { gap, restitution }
+            }
+            6 => {
+                moves = self.signal(0.0, waves, 0.2)?;
+                let count = self.u.int_in_range(2..=5_usize)?;
+                let mut points = vec![(self.within(-1.0, 0.25)?, self.within(-2.0, 2.0)?)];
+                for _ in 1..count {
+                    let (x, force) = points.last().copied().unwrap_or_default();
+                    let (length, slope) = (self.within(0.125, 1.0)?, self.within(-1.0, 24.0)?);
+                    points.push((x + length, force + slope * length));
+                }
+                Kind::Spring { points }
+            }
             _ => Kind::Contact { law: Law::constant(friction), peak, normal: None },
         };
         Ok(Element { name: String::new(), direction, moves, kind })
+    }
+
+    /// An element of a system with a body without mass. No two contacts have directions that depend on each other: each begins at a body of its own.
+    fn element_of_joint(&mut self, n: usize, place: usize) -> Result<Element<f64>> {
+        let mut direction = vec![0.0; n];
+        let other = self.u.int_in_range(place..=n)?;
+        for (i, sign) in [(place, 1.0), (other, -1.0)] {
+            if let Some(b) = direction.get_mut(i).filter(|_| i != place || other != place || sign > 0.0) {
+                *b += sign;
+            }
+        }
+        let friction = self.within(0.125, 1.0)?;
+        let kind = match self.u.int_in_range(0..=3_u8)? {
+            0 => Kind::Elastic { stiffness: self.within(1.0, 60.0)?, friction, normal: None },
+            1 => Kind::Stop {
+                gap: self.within(-0.125, 1.0)?,
+                stiffness: self.within(4.0, 60.0)?,
+                damping: 0.0,
+            },
+            _ => Kind::Contact { law: Law::constant(friction), peak: 1.0, normal: None },
+        };
+        Ok(Element { name: String::new(), direction, moves: Signal::constant(0.0), kind })
     }
 }
 
@@ -163,7 +203,7 @@ impl<'a> Arbitrary<'a> for Structure {
                 Ok(Harmonic { frequency: base * order, sin: numbers.list(n, -1.0, 1.0)?, cos })
             })
             .collect::<Result<Vec<_>>>()?;
-        let mut records = Vec::new();
+        let mut records: Vec<Record<f64>> = Vec::new();
         if waves == 0 || numbers.one_in(4)? {
             let count = numbers.u.int_in_range(2..=12_usize)?;
             let step = numbers.within(0.25, 1.25)?;
@@ -171,11 +211,28 @@ impl<'a> Arbitrary<'a> for Structure {
             let (values, force) = (numbers.list(count, -1.0, 1.0)?, numbers.list(n, -1.0, 1.0)?);
             records.push(Record { times, values, force, beyond: Beyond::Zero });
         }
+        let joint = if n > 1 && numbers.one_in(5)? {
+            Some(numbers.u.int_in_range(0..=n.saturating_sub(1))?)
+        } else {
+            None
+        };
         let count = numbers.u.int_in_range(1..=5_usize)?;
         let mut elements: Vec<Element<f64>> = Vec::new();
-        for _ in 0..count {
-            let element = numbers.element(n, waves, &elements)?;
+        for place in 0..if joint.is_some() { count.min(n) } else { count } {
+            let element = match joint {
+                Some(_) => numbers.element_of_joint(n, place)?,
+                None => numbers.element(n, waves, &elements)?,
+            };
             elements.push(element);
+        }
+        if let Some(i) = joint {
+            if let Some(entry) = mass.get_mut(i).and_then(|row| row.get_mut(i)) {
+                *entry = 0.0;
+            }
+            // A record begins and ends at once, by which such a body would jump.
+            for record in &mut records {
+                record.force.get_mut(i).into_iter().for_each(|force| *force = 0.0);
+            }
         }
         let constant = if numbers.one_in(2)? { Vec::new() } else { numbers.list(n, -0.5, 0.5)? };
         let at_rest = numbers.one_in(3)?;
@@ -185,7 +242,15 @@ impl<'a> Arbitrary<'a> for Structure {
             start.velocity = numbers.list(n, -1.0, 1.0)?;
         }
         let until = numbers.within(2.0, 12.0)?;
-        let model = Model {
+        // Nothing is beyond a stop that gives no way; some bodies are at one.
+        for element in &mut elements {
+            let Kind::HardStop { gap, .. } = &mut element.kind else { continue };
+            let along = element.direction.iter().zip(&start.displacement).map(|(b, x)| b * x).sum::<f64>();
+            let ways = element.moves.sin.iter().zip(&harmonics).map(|(sin, h)| sin / h.frequency);
+            let least = along + ways.sum::<f64>() + if numbers.one_in(4)? { 0.0 } else { 0.125 };
+            *gap = gap.max(least);
+        }
+        let mut model = Model {
             coordinates: Vec::new(),
             mass,
             damping,
@@ -197,6 +262,19 @@ impl<'a> Arbitrary<'a> for Structure {
             moved: Vec::new(),
             levels: Vec::new(),
         };
+        // Friction under the force of such a stop, where that does not depend on it.
+        let stops =
+            |model: &Model<f64>| model.elements.iter().position(|e| matches!(e.kind, Kind::HardStop { .. }));
+        if let Some(stop) = stops(&model) {
+            let direction = numbers.direction(n, &[])?;
+            let (coefficient, peak) = (numbers.within(0.0, 1.0)?, numbers.within(1.0, 1.5)?);
+            let kind = Kind::UnderStop { stop, coefficient, peak };
+            let moves = Signal::constant(if numbers.one_in(2)? { 0.0 } else { numbers.within(-0.5, 0.5)? });
+            model.elements.push(Element { name: String::new(), direction, moves, kind });
+            if System::new(&model).is_err() {
+                model.elements.pop();
+            }
+        }
         Ok(Self { model, start, until })
     }
 }

@@ -167,8 +167,8 @@ pub(crate) fn next_zero<F: Float, M: Copy>(
 /// Stretches that are examined before the time is checked.
 const USUAL_STRETCHES: u32 = 64;
 
-/// Whether φ is beyond the longest slide, with a half turn more for rounding, or there were more stretches
-/// than such a time can contain.
+/// Whether φ is beyond the longest slide, with a half turn more for rounding, or so late that its phase has no digits, or there were more
+/// stretches than such a time can contain.
 #[cold]
 #[inline(never)]
 fn is_overdue<F: Float>(search: &ZeroSearch<'_, F>, phi: F, stretches: u32) -> bool {
@@ -178,7 +178,9 @@ fn is_overdue<F: Float>(search: &ZeroSearch<'_, F>, phi: F, stretches: u32) -> b
     // A damped slide can last longer, and may then have more stretches in proportion.
     let times = if longest > usual { longest / usual } else { one };
     let most = F::int(8) * (F::int(8) + omega + one / omega) * times;
-    phi > longest || F::from_f64(f64::from(stretches)) > most
+    // A half turn of the drive is no longer told from the next one: without a spring a body far from its place creeps so long.
+    let is_lost = omega * phi * F::epsilon() * F::int(16) > one;
+    is_lost || phi > longest || F::from_f64(f64::from(stretches)) > most
 }
 
 fn modulo_two<F: Float>(n: F) -> bool {

@@ -5,7 +5,7 @@
 
 use super::dependent::{rank, too_many};
 use super::error::Error;
-use super::matrix::{Matrix, add_times, dot};
+use super::matrix::{Matrix, add_times, dot, set};
 use super::model::{Base, Element, Kind, Law, Model, Moved, MovedBy, Normal, Record, Signal};
 use crate::float::Float;
 use crate::machine::error::written;
@@ -72,6 +72,9 @@ pub(crate) struct Part<F> {
     pub(crate) rule: Rule<F>,
     /// The speed, or the size of the stretch, up to which the law is known; none where it is known everywhere.
     pub(crate) limit: Option<F>,
+    /// The stop that gives no way whose force is the normal load of this contact. The load has a row where that stop is in touch
+    /// ([`loaded`](super::under::loaded)); else it is below 0.
+    pub(crate) under: Option<usize>,
 }
 
 impl<F: Float> Part<F> {
@@ -240,6 +243,7 @@ impl<F: Float> Assembly<F> {
             }
         }
         assembly.coupling = coupling;
+        assembly.check_under()?;
         let contacts: Vec<&[F]> =
             assembly.parts.iter().filter(|part| part.may_hold()).map(|p| p.direction.as_slice()).collect();
         assembly.is_dependent = rank(&contacts) < contacts.len();
@@ -437,6 +441,14 @@ impl<F: Float> Assembly<F> {
                 let normal = normal.as_ref().map(|normal| self.normal(&name, normal)).transpose()?;
                 Rule::Contact { pieces, peak, normal }
             }
+            Kind::UnderStop { coefficient, peak, .. } => {
+                let coefficient = at_least(&format!("{name}: coefficient"), *coefficient, zero)?;
+                let peak = at_least(&format!("{name}: peak"), *peak, F::int(1))?;
+                let pieces = vec![Piece { from: zero, force: coefficient, slope: zero }];
+                let mut open = vec![zero; self.size];
+                set(&mut open, self.size - 1, F::int(-1));
+                Rule::Contact { pieces, peak, normal: Some(open) }
+            }
             Kind::Elastic { stiffness, friction, normal } => {
                 let stiffness = positive(&format!("{name}: stiffness"), *stiffness)?;
                 let friction = positive(&format!("{name}: friction"), *friction)?;
@@ -476,7 +488,8 @@ impl<F: Float> Assembly<F> {
             let by = direction.get(driven.coordinate).copied().unwrap_or(zero);
             add_times(&mut moves, -by, &driven.acceleration);
         }
-        Ok(Part { name, direction, response, velocity, stretch, moves, rule, limit: None })
+        let under = if let Kind::UnderStop { stop, .. } = &element.kind { Some(*stop) } else { None };
+        Ok(Part { name, direction, response, velocity, stretch, moves, rule, limit: None, under })
     }
 }
 

@@ -24,6 +24,7 @@ use super::dependent::least;
 use super::first_passage::{first_passage, shorten, value_and_slope};
 use super::matrix::{add_times, dot, size_of_dot};
 use super::mode::{Mode, places};
+use super::under::{Rub, rubbed, rubs};
 use crate::float::Float;
 use alloc::vec;
 use alloc::vec::Vec;
@@ -292,11 +293,23 @@ pub(crate) fn strike<F: Float>(
     let impulses = least(&system.coupling_of(&elements), &due, &doubt, &low, &high)
         .map_err(|_| hit.first().copied().unwrap_or_default())?;
     let n = system.n;
-    for (part, &impulse) in elements.iter().filter_map(|&i| system.parts.get(i)).zip(&impulses) {
-        add_times(z.get_mut(n..2 * n).unwrap_or(&mut []), -impulse, &part.response);
+    let pairs: Vec<(usize, F)> = elements.iter().copied().zip(impulses.iter().copied()).collect();
+    let rubs = rubs(system, z, &pairs)?;
+    let (mut blows, mut active) = (Vec::new(), Vec::new());
+    for rub in &rubs {
+        let body = system.along(rub.element, z);
+        blows.push(Blow { element: rub.element, impulse: rub.impulse, mean: body, told: None });
+    }
+    for &(element, impulse) in
+        pairs.iter().chain(&rubs.iter().map(|rub| (rub.element, rub.impulse)).collect::<Vec<_>>())
+    {
+        let response = system.parts.get(element).map_or(&[][..], |part| &part.response);
+        add_times(z.get_mut(n..2 * n).unwrap_or(&mut []), -impulse, response);
+    }
+    for blow in &mut blows {
+        blow.mean = (blow.mean + system.along(blow.element, z)) / F::int(2);
     }
     place_at_gap(system, z, &elements);
-    let (mut blows, mut active) = (Vec::new(), Vec::new());
     for (one, &impulse) in all.iter().zip(&impulses) {
         let element = one.element;
         let speed = system.parts.get(element).map_or(zero, |part| -dot(&part.velocity, z));
@@ -316,7 +329,7 @@ pub(crate) fn strike<F: Float>(
             blows.push(Blow { element, impulse, mean, told: after.map(|after| (one.velocity, after)) });
         }
     }
-    Ok(Strike { blows, reset: reset(system, &active), later })
+    Ok(Strike { blows, reset: reset(system, &active, &rubs), later })
 }
 
 /// Takes the rounding of their distances out of the displacements of bodies at stops.
@@ -353,22 +366,27 @@ pub(crate) fn beside<F: Float>(system: &Assembly<F>, element: usize, touching: &
     row
 }
 
-/// The derivative of blows at these stops, each with its 1 + e.
-fn reset<F: Float>(system: &Assembly<F>, active: &[(usize, F)]) -> Reset<F> {
+/// The derivative of blows at these stops, each with its 1 + e, with the frictions under them.
+fn reset<F: Float>(system: &Assembly<F>, active: &[(usize, F)], rubs: &[Rub<F>]) -> Reset<F> {
     let elements: Vec<usize> = active.iter().map(|one| one.0).collect();
-    let parts = || elements.iter().filter_map(|&i| system.parts.get(i));
+    let row = |&i: &usize| system.parts.get(i).map_or_else(Vec::new, |part| part.velocity.clone());
     let inverse = system.coupling_of(&elements).pseudo_inverse();
+    let rubbed = rubbed(system, rubs);
     let by = |(k, &(_, factor)): (usize, &(usize, F))| {
         let mut by = vec![F::int(0); system.n];
-        for (i, part) in parts().enumerate() {
-            add_times(&mut by, factor * inverse.at(i, k), &part.response);
+        for (i, element) in elements.iter().enumerate() {
+            let share = factor * inverse.at(i, k);
+            let response = system.parts.get(*element).map(|part| &part.response);
+            let others = rubbed.by_stop.iter().filter(|(stop, _)| stop == element).map(|(_, by)| by);
+            response.into_iter().chain(others).for_each(|change| add_times(&mut by, share, change));
         }
         by
     };
+    let (rests, stops): (Vec<usize>, Vec<Vec<F>>) = rubbed.by_rest.iter().cloned().unzip();
     Reset {
         n: system.n,
-        rows: parts().map(|part| part.velocity.clone()).collect(),
-        by: active.iter().enumerate().map(by).collect(),
+        rows: elements.iter().chain(&rests).map(row).collect(),
+        by: active.iter().enumerate().map(by).chain(stops).collect(),
     }
 }
 

@@ -24,7 +24,8 @@ use super::assembly::{Assembly, Rule};
 use super::branch::{Branch, polynomial};
 use super::error::Error;
 use super::first_passage::{greatest_place, integer};
-use super::matrix::{Matrix, add_times, dot};
+use super::joints::Joints;
+use super::matrix::{Matrix, add_times, at, dot};
 use super::mode::Mode;
 use crate::float::Float;
 use alloc::string::ToString;
@@ -122,12 +123,6 @@ impl<F: Float> Friction<F> {
         }
         if !given.records.is_empty() {
             return Err(unsupported("records", "must be absent: the closed form is that of a harmonic load"));
-        }
-        if !given.massless.is_empty() {
-            return Err(unsupported(
-                "mass",
-                "must be > 0 at each coordinate: the closed form is that of bodies with mass",
-            ));
         }
         let (n, frequency) = (given.n, *frequency);
         let constant: Vec<F> = given.load.rows().filter_map(|row| row.last().copied()).collect();
@@ -338,8 +333,29 @@ fn release<F: Float>(system: &Assembly<F>, friction: &Friction<F>) -> Option<F> 
     (amplitude > zero).then(|| room / amplitude)
 }
 
+/// The system without its bodies without mass, which springs must carry.
+fn without_joints<F: Float>(given: &Assembly<F>) -> Result<Option<Assembly<F>>, Error> {
+    let (Some(&first), [part]) = (given.massless.first(), given.parts.as_slice()) else { return Ok(None) };
+    if let Some(&joint) = given.massless.iter().find(|&&i| at(&part.direction, i) != F::int(0)) {
+        return Err(given.without_mass(
+            joint,
+            "must not be at the contact: there it sticks at each reversal under any load, while its spring turns over",
+        ));
+    }
+    let joints = Joints::new(given, &given.stiffness, &given.damping).ok_or_else(|| {
+        given.without_mass(
+            first,
+            "must be held by springs alone: give it a mass, or put its dampers between bodies with mass",
+        )
+    })?;
+    Assembly::new(&joints.model(given, part)?).map(Some)
+}
+
 /// The border of a system with one contact and one harmonic load.
 pub(crate) fn border<F: Float>(system: &Assembly<F>) -> Result<Border<F>, Error> {
+    if let Some(system) = without_joints(system)? {
+        return border(&system);
+    }
     let friction = Friction::new(system)?;
     let (least, touching_time) = friction.least();
     let (sin, cos) = friction.load;
@@ -355,6 +371,9 @@ pub(crate) fn border<F: Float>(system: &Assembly<F>) -> Result<Border<F>, Error>
 
 /// The cycle of a system with one contact and one harmonic load; none where the load is too weak for it.
 pub(crate) fn cycle<F: Float>(system: &Assembly<F>) -> Result<Option<Cycle<F>>, Error> {
+    if let Some(system) = without_joints(system)? {
+        return cycle(&system);
+    }
     let friction = Friction::new(system)?;
     let (least, _) = friction.least();
     let (sin, cos) = friction.load;

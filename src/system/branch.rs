@@ -463,7 +463,8 @@ fn guards<F: Float>(
             }
             _ => {}
         }
-        if let Some(normal) = part.normal()
+        // A contact under a stop ends with that stop.
+        if let Some(normal) = part.normal().filter(|_| part.under.is_none())
             && normal.iter().rev().skip(1).any(|&x| x != F::int(0))
         {
             let apart = *mode == Mode::Apart;

@@ -3,6 +3,7 @@
 use super::assembly::Assembly;
 use super::branch::Branch;
 use super::mode::Mode;
+use super::under::loaded;
 use crate::float::Float;
 use alloc::vec::Vec;
 
@@ -45,7 +46,7 @@ impl<F: Float> Branches<F> {
         let known = self.known.iter().position(|known| known.branch.modes == modes);
         let place = known.unwrap_or_else(|| {
             let others = self.known.iter().map(|known| &known.branch);
-            let branch = Branch::new(system, modes, self.longest, others);
+            let branch = Branch::new(&loaded(system, modes), modes, self.longest, others);
             self.add(branch)
         });
         if let Some(known) = self.known.get_mut(place) {

@@ -34,7 +34,8 @@ impl<F: Float> Drift<F> {
             let row = match &part.rule {
                 Rule::Stop { depth, .. } | Rule::Hard { depth, .. } => Some(depth.as_slice()),
                 Rule::Spring { .. } => part.stretch.as_deref(),
-                Rule::Contact { .. } | Rule::Elastic { .. } => part.normal(),
+                // The force of a stop that gives no way notices what others do.
+                Rule::Contact { .. } | Rule::Elastic { .. } => part.normal().filter(|_| part.under.is_none()),
             };
             noticed.extend(row.and_then(|row| row.get(..n)).map(<[F]>::to_vec));
         }
@@ -185,6 +186,8 @@ impl<F: Float> Natural<F> {
         for part in &system.parts {
             speed = speed.or_larger(size(&part.velocity));
             match &part.rule {
+                // What presses on a stop is a load itself.
+                Rule::Contact { .. } if part.under.is_some() => {}
                 Rule::Contact { pieces, peak, normal } => {
                     let load = normal.as_ref().map_or(F::int(1), |row| size(row));
                     let most = pieces.iter().fold(zero, |most, piece| most.or_larger(piece.force));

@@ -543,6 +543,7 @@ impl<'a, F: Float> Follower<'a, F> {
             }
         }
         let strike = self.strike(&mut modes, &hit)?;
+        self.follow_stops(&mut modes);
         let is_resting = |(i, mode): (usize, &Mode)| mode.is_held() || self.may_rest(i, *mode);
         let resting: Vec<usize> =
             modes.iter().enumerate().filter(|one| is_resting(*one)).map(|one| one.0).collect();

@@ -209,6 +209,17 @@ pub enum Kind<F> {
         /// The coefficient of restitution, from 0 to 1.
         restitution: F,
     },
+    /// Dry friction under the force N ≥ 0 of a stop that gives no way: it sticks while `|T| ≤ peak coefficient N`, and slides with
+    /// `T = coefficient N sgn v`. Under a blow of the impulse P its own impulse is at most coefficient · P, and takes the velocity v to 0 at
+    /// most. No force or impulse of the stop may depend on that friction, as where its direction b is across the stop's: `b·M⁻¹b_stop = 0`.
+    UnderStop {
+        /// The place of the stop among the elements.
+        stop: usize,
+        /// The coefficient of friction.
+        coefficient: F,
+        /// The static friction over the kinetic one, ≥ 1.
+        peak: F,
+    },
     /// A spring whose force T over y is straight between points (displacement, force), of which there are at least two. Their
     /// displacements increase, and the first and the last straight line go on beyond them. Its work is what it stores.
     Spring {

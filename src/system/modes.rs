@@ -121,18 +121,24 @@ fn unsymmetric<F: Float>(operator: &Matrix<F>, count: usize) -> Vec<F> {
 impl<F: Float> Assembly<F> {
     /// M^(−1/2) = Σ v vᵀ/√λ over the modes v of M, without the coordinates that are moved.
     pub(super) fn inverse_root_of_mass(&self) -> Matrix<F> {
-        let n = self.n;
         let mut mass = self.mass.clone();
         self.moved.iter().for_each(|moved| mass.set(moved.coordinate, moved.coordinate, F::int(1)));
-        let (values, vectors) = mass.symmetric_modes();
-        let mut root = Matrix::zero(n, n);
-        for (k, value) in values.iter().enumerate() {
-            let v: Vec<F> = (0..n).map(|i| vectors.at(k, i)).collect();
-            for (i, &x) in v.iter().enumerate() {
-                add_times(root.row_mut(i), x / value.sqrt(), &v);
-            }
-        }
+        let mut root = inverse_root(&mass);
         self.moved.iter().for_each(|moved| root.set(moved.coordinate, moved.coordinate, F::int(0)));
         root
     }
+}
+
+/// M^(−1/2) = Σ v vᵀ/√λ over the modes v of a mass matrix.
+pub(super) fn inverse_root<F: Float>(mass: &Matrix<F>) -> Matrix<F> {
+    let n = mass.columns();
+    let (values, vectors) = mass.symmetric_modes();
+    let mut root = Matrix::zero(n, n);
+    for (k, value) in values.iter().enumerate() {
+        let v: Vec<F> = (0..n).map(|i| vectors.at(k, i)).collect();
+        for (i, &x) in v.iter().enumerate() {
+            add_times(root.row_mut(i), x / value.sqrt(), &v);
+        }
+    }
+    root
 }

@@ -11,6 +11,7 @@ use super::levels::Sides;
 use super::matrix::{Matrix, Sum, add_times, dot, entries, size_of_dot};
 use super::mode::{Mode, places};
 use super::model::State;
+use super::under::loaded;
 use crate::float::Float;
 use alloc::string::String;
 use alloc::vec;
@@ -453,6 +454,7 @@ fn forces<F: Float>(system: &Assembly<F>, branch: &Branch<F>, z: &[F]) -> Vec<F>
     if !system.is_dependent {
         return force;
     }
+    let system = &*loaded(system, &branch.modes);
     let stuck = places(&branch.modes, Mode::is_held);
     let own: Vec<F> = stuck.iter().filter_map(|&i| force.get(i).copied()).collect();
     // The least and the greatest force; a stop that gives no way has no greatest one.

@@ -13,8 +13,11 @@
 use super::System;
 use super::assembly::{Assembly, Part, Rule};
 use super::fixed_point::eigenvalues;
+use super::joints::Joints;
 use super::matrix::{Matrix, add_times};
+use super::modes::inverse_root;
 use crate::float::Float;
+use alloc::vec;
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
@@ -58,6 +61,9 @@ impl<F: Float> Part<F> {
     /// The direction in which a contact slides on a side that travels, `sgn(−V)`, with r and r′ there.
     pub(super) fn sliding(&self) -> Option<(F, F, F)> {
         let Rule::Contact { pieces, .. } = &self.rule else { return None };
+        if self.under.is_some() {
+            return None;
+        }
         let velocity = *self.velocity.last()?;
         if velocity == F::int(0) {
             return None;
@@ -106,12 +112,14 @@ impl<F: Float> Assembly<F> {
         damping
     }
 
-    /// The greatest growth of a disturbance, and its frequency, with a factor of the coefficients, by M^(−1/2) and by the damping
-    /// between two of it.
+    /// The greatest growth of a disturbance, and its frequency, with a factor of the coefficients, by M^(−1/2) of the bodies with mass and
+    /// by the damping between two of it. Joints are in balance.
     fn growth(&self, root: &Matrix<F>, damping: &Matrix<F>, factor: F) -> Option<Growth> {
-        let n = self.n;
+        let n = root.columns();
         let at = self.sliding_equilibrium(factor);
-        let stiffness = root.times(&self.sliding_stiffness(&at, factor, &[])).times(root);
+        let stiffness = self.sliding_stiffness(&at, factor, &[]);
+        let joints = Joints::new(self, &stiffness, &self.sliding_damping())?;
+        let stiffness = root.times(&joints.balanced(&stiffness)).times(root);
         let most =
             |matrix: &Matrix<F>| matrix.rows().flatten().fold(F::int(0), |most, x| most.or_larger(x.abs()));
         // Times in units of the fastest motion, so that the entries are of one size.
@@ -147,7 +155,8 @@ impl Growth {
 }
 
 impl<F: Float> System<F> {
-    /// The stability of steady sliding; none where no contact has a side that travels without end, or a coordinate is moved.
+    /// The stability of steady sliding; none where no contact has a side that travels without end, a coordinate is moved, or a body without
+    /// mass has a damper or is not held by springs.
     ///
     /// It is that of the equilibrium in which all such contacts slide and are closed, with stops open. Contacts that slide both ways, and elastic ones, have a
     /// friction that is constant there. A threshold is sought up to coefficients of [`GREATEST_COEFFICIENT`], on a mesh: instability in a
@@ -155,12 +164,13 @@ impl<F: Float> System<F> {
     #[must_use]
     pub fn sliding(&self) -> Option<Sliding> {
         let system = &self.assembly;
-        let is_inert = system.moved.is_empty() && system.massless.is_empty();
-        if !system.parts.iter().any(|part| part.sliding().is_some()) || !is_inert {
+        if !system.parts.iter().any(|part| part.sliding().is_some()) || !system.moved.is_empty() {
             return None;
         }
-        let root = system.inverse_root_of_mass();
-        let damping = root.times(&system.sliding_damping()).times(&root);
+        let (at_rest, damping) = (vec![F::int(0); system.n], system.sliding_damping());
+        let joints = Joints::new(system, &system.sliding_stiffness(&at_rest, F::int(1), &[]), &damping)?;
+        let root = inverse_root(&joints.of_bodies(&system.mass));
+        let damping = root.times(&joints.of_bodies(&damping)).times(&root);
         let at = |factor: f64| system.growth(&root, &damping, F::from_f64(factor));
         let (here, frictionless) = (at(1.0)?, at(0.0)?);
         // With dampers everywhere the growth passes through 0, otherwise it leaves 0.

@@ -65,6 +65,11 @@ pub(crate) fn broken<F: Float>(
             let holds = force.abs() - if r > bound { r } else { bound } * load;
             if speed > doubt { (force - due).abs() > doubt } else { holds > doubt }
         }
+        Kind::UnderStop { stop, coefficient, peak } => {
+            let load = *coefficient * positive(state.force[*stop]);
+            let due = if v < zero { -load } else { load };
+            if v.abs() > doubt { (force - due).abs() > doubt } else { force.abs() - *peak * load > doubt }
+        }
         Kind::Elastic { friction, .. } => {
             // A slider that yields goes with its force. After a lock the force falls by k v²/2a at least.
             let back = if force < zero { v } else { -v };
@@ -284,11 +289,21 @@ fn balance(system: &System<f64>, structure: &Structure, motion: &Motion<f64>, si
     ends.sort_by(f64::total_cmp);
     let mut count = 0;
     let mut times = Vec::new();
+    // A body without mass on a damper goes to its balance faster than eight nodes of an interval can tell.
+    let is_fast = |(mass, damping): (&Vec<f64>, &Vec<f64>)| {
+        mass.iter().all(|&m| m == 0.0) && damping.iter().any(|&c| c != 0.0)
+    };
+    if model.mass.iter().zip(&model.damping).any(is_fast) {
+        return 0;
+    }
+    // The instant of a blow is known to the rounding of the displacement over its velocity.
+    let has_blows = model.elements.iter().any(|element| matches!(element.kind, Kind::HardStop { .. }));
+    let inside = if has_blows { 1e-3 } else { 1e-9 };
     for pair in ends.windows(2) {
         let length = pair[1] - pair[0];
         if length > 1e-6 * until {
             // Just inside, so that all states are of one branch.
-            let (low, high) = (pair[0] + 1e-9 * length, pair[1] - 1e-9 * length);
+            let (low, high) = (pair[0] + inside * length, pair[1] - inside * length);
             times.push(low);
             let nodes = GAUSS.iter().rev().map(|g| -g.0).chain(GAUSS.iter().map(|g| g.0));
             times.extend(nodes.map(|x| low + (high - low) * (0.5 + 0.5 * x)));
@@ -353,6 +368,12 @@ fn corners(model: &Model<f64>, times: &[f64], states: &[State<f64>]) -> bool {
                     };
                     at > 0.0 && sides(f64::abs)
                 })
+            }
+            Kind::Spring { points } => {
+                let inner = points.iter().skip(1).take(points.len().saturating_sub(2));
+                let sides =
+                    |at: f64| seen.iter().any(|s| s.0 > at - 0.02) && seen.iter().any(|s| s.0 < at + 0.02);
+                inner.into_iter().any(|point| sides(point.0))
             }
             Kind::Stop { gap, .. } => {
                 let deep = seen.iter().any(|s| s.0 > gap - 0.02);

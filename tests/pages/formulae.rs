@@ -61,13 +61,13 @@ fn every_equation_is_in_the_theory() {
 
 #[test]
 fn the_chapters_of_a_book_are_rendered_and_nothing_else() {
-    let input = r#"[{"root": "$`a`$"}, {"items": [{"Chapter": {"name": "$`b`$", "content": "let $`c`$ be", "sub_items":
+    let input = r#"[{"root": "$`a`$"}, {"items": [{"Chapter": {"name": "$`b`$", "content": "let $`c`$ be [it](README.md#a)", "sub_items":
         [{"Chapter": {"content": "```math\nd\n```\n```rust\n$`e`$\n```\n"}}]}}]}]"#;
     let book = render::book(input).unwrap();
     for (kept, rendered) in [("$`b`$", "<mi>b</mi>"), ("$`e`$", "<mi>e</mi>")] {
         assert!(book.contains(kept) && !book.contains(rendered), "{book}");
     }
-    for rendered in ["><mi>c</mi></math> be", "<mi>d</mi>"] {
+    for rendered in ["><mi>c</mi></math> be", "[it](index.md#a)", "<mi>d</mi>"] {
         assert!(book.contains(rendered), "{book}");
     }
     assert!(render::page("let $`a be").is_err() && render::inline("\\nosuchcommand").is_err());

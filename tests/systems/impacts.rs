@@ -4,6 +4,8 @@
 
 #[path = "impacts/small_steps.rs"]
 mod small_steps;
+#[path = "impacts/under.rs"]
+mod under;
 
 use crate::generator::Random;
 use small_steps::{Kept, Machine, Rub, Wall};
@@ -356,6 +358,42 @@ fn the_motion_of_one_blow_a_period_has_the_closed_form() {
     assert!(seen >= 40, "{seen}");
 }
 
+/// `x″ + x = cos Ωt` with a stop at 0 and the restitution 0.8: the period of the motion of one blow doubles where a multiplier is −1, which the closed form
+/// has at 2.653347727855322. There the multipliers of motions below it, by interpolation, are −1, too.
+#[test]
+fn the_period_doubles_where_the_closed_form_has_it() {
+    let due = 2.653_347_727_855_322;
+    let steady = |omega: f64, start: &State<f64>| {
+        let load = Harmonic { frequency: omega, sin: vec![], cos: vec![1.0] };
+        let model = Model { harmonics: vec![load], ..body(1.0, 0.0, 1.0, vec![stop(vec![1.0], 0.0, 0.8)]) };
+        System::new(&model).unwrap().steady(start).unwrap()
+    };
+    // Their sum is smooth in Ω, and −1 − e² where one of them is −1. Other motions of this oscillator do not settle: each begins at the one before.
+    let places: Vec<f64> = (0..8).map(|i| due - 0.01 - 0.01 * f64::from(i)).collect();
+    let mut start = at(vec![-0.2]);
+    let mut values: Vec<f64> = places
+        .iter()
+        .map(|&omega| {
+            let found = steady(omega, &start);
+            assert!(found.kind == SteadyKind::Periodic && found.periods == 1, "{omega}");
+            start = found.start;
+            found.multipliers.iter().map(|one| one.0).sum::<f64>() + 1.64
+        })
+        .collect();
+    // Neville's scheme for the frequency at which the sum is that.
+    let sums = values.clone();
+    values.clone_from(&places);
+    for k in 1..8 {
+        for i in 0..8 - k {
+            let (a, b) = (sums[i], sums[i + k]);
+            values[i] = (a * values[i + 1] - b * values[i]) / (a - b);
+        }
+    }
+    assert!((values[0] - due).abs() < 1e-9, "{} {due}", values[0]);
+    let periods = |by: f64| steady(due + by, &steady(due - 0.01, &at(vec![-0.2])).start).periods;
+    assert_eq!([periods(-1e-3), periods(1e-3)], [1, 2]);
+}
+
 /// A body a on a spring and a contact to the ground, perhaps with a body b on it; the last one has the load `F sin(ωt + φ)` and the stop.
 struct Given {
     mass: &'static [f64],
@@ -538,7 +576,7 @@ fn machine(random: &mut Random) -> (Model<f64>, State<f64>, Machine, f64) {
         .map(|_| Wall { b: along(random), gap: random.between(0.02, 0.25), e: restitution(random) })
         .collect();
     let rubs: Vec<Rub> = (0..random.below(3))
-        .map(|_| Rub { b: along(random), friction: random.between(0.5, 4.0), peak: 1.0 })
+        .map(|_| Rub { b: along(random), friction: random.between(0.5, 4.0), peak: 1.0, under: None })
         .collect();
     let harmonics: Vec<Harmonic<f64>> = (0..1 + random.below(2))
         .map(|_| Harmonic {
@@ -556,9 +594,28 @@ fn machine(random: &mut Random) -> (Model<f64>, State<f64>, Machine, f64) {
     (model, at(vec![0.0; n]), machine, random.between(3.0, 6.0))
 }
 
+/// The events without those that are taken back at once: the small steps may find a wall that opens closed again by rounding, and open it anew.
+fn lasting(events: &[Kept]) -> Vec<Kept> {
+    let mut left: Vec<Kept> = Vec::new();
+    for event in events {
+        let taken_back = match event.kind {
+            EventKind::Close => EventKind::Open,
+            EventKind::Stick => EventKind::Slip,
+            _ => EventKind::Blow,
+        };
+        let last = left.iter().rposition(|e| e.element == event.element);
+        match last.filter(|&i| left[i].kind == taken_back && event.time - left[i].time < 1e-7) {
+            Some(place) if taken_back != EventKind::Blow => drop(left.remove(place)),
+            _ => left.push(*event),
+        }
+    }
+    left
+}
+
 /// The events without those of ever smaller blows, whose number depends on where they are cut: those within the time before a contact at a
 /// stop in which blows are below 10⁻³.
 fn plain(events: &[Kept]) -> Vec<Kept> {
+    let events = &lasting(events);
     let is_close = |e: &Kept| e.kind == EventKind::Close;
     let begins = |close: &Kept| {
         let mut first = close.time - 1e-9;
@@ -577,6 +634,47 @@ fn plain(events: &[Kept]) -> Vec<Kept> {
     events.iter().filter(|e| is_close(e) || !is_in(e)).copied().collect()
 }
 
+/// How far the end of a motion is from that of the small steps, in parts of the motion, where both have the same events; else where they differ.
+fn beside(machine: &Machine, start: &State<f64>, until: f64, motion: &Motion<f64>) -> Result<f64, String> {
+    let told = motion.events.iter().filter(|event| event.kind != EventKind::Touch);
+    let events: Vec<Kept> = told.map(Kept::of).collect();
+    let size =
+        [&motion.max_displacement, &motion.min_displacement, &motion.max_velocity, &motion.min_velocity]
+            .into_iter()
+            .flatten()
+            .fold(0.1_f64, |most, x| most.max(x.abs()));
+    let mut last = String::new();
+    // Finer steps where a short flight was passed over.
+    for step in [0.01, 0.002, 0.0004] {
+        let from = [&*start.displacement, &*start.velocity].concat();
+        let (end, own) = machine.followed(&from, until, step);
+        let by = motion.end.displacement.iter().chain(&motion.end.velocity).zip(&end);
+        let by = by.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) / size;
+        let (a, b) = (plain(&events), plain(&own));
+        // Two stops that close together may do so in either order.
+        let ordered = |list: &[Kept]| -> Vec<Kept> {
+            let (mut closes, others): (Vec<Kept>, Vec<Kept>) =
+                list.iter().partition(|event| event.kind == EventKind::Close);
+            closes.sort_by(|a, b| a.element.cmp(&b.element).then(a.time.total_cmp(&b.time)));
+            [others, closes].concat()
+        };
+        let (a, b) = (ordered(&a), ordered(&b));
+        // The small steps end ever smaller blows before the sum of their times.
+        let is_same = |(a, b): (&Kept, &Kept)| {
+            let within = if a.kind == EventKind::Close { 1e-3 } else { 1e-7 };
+            (a.kind, a.element) == (b.kind, b.element) && (a.time - b.time).abs() < within
+        };
+        if a.len() == b.len() && a.iter().zip(&b).all(is_same) && by < 1e-9 {
+            return Ok(by);
+        }
+        let first = a.iter().zip(&b).position(|pair| !is_same(pair));
+        let first = first.unwrap_or(a.len().min(b.len()));
+        let near = |list: &[Kept]| format!("{:?}", &list[first.saturating_sub(2)..list.len().min(first + 3)]);
+        last = format!("by {by:e}, {} and {} events\n{}\n{}", a.len(), b.len(), near(&a), near(&b));
+    }
+    Err(last)
+}
+
 /// Random machines beside an independent program: the same events, and the same end.
 #[test]
 fn random_machines_are_those_of_small_steps() {
@@ -591,41 +689,9 @@ fn random_machines_are_those_of_small_steps() {
             Err(error) => panic!("{number}: {error}\n{model:?}"),
         };
         assert!(energy(&motion) < 1e-12, "{number}: {}", energy(&motion));
-        let told = motion.events.iter().filter(|event| event.kind != EventKind::Touch);
-        let events: Vec<Kept> = told.map(Kept::of).collect();
-        let size =
-            [&motion.max_displacement, &motion.min_displacement, &motion.max_velocity, &motion.min_velocity]
-                .into_iter()
-                .flatten()
-                .fold(0.1_f64, |most, x| most.max(x.abs()));
-        // Finer steps where a short flight was passed over.
-        let mut last = String::new();
-        let found = [0.01, 0.002, 0.0004].into_iter().any(|step| {
-            let from = [&*start.displacement, &*start.velocity].concat();
-            let (end, own) = machine.followed(&from, until, step);
-            let by = motion.end.displacement.iter().chain(&motion.end.velocity).zip(&end);
-            let by = by.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) / size;
-            let (a, b) = (plain(&events), plain(&own));
-            // The small steps end ever smaller blows before the sum of their times.
-            let is_same = |(a, b): (&Kept, &Kept)| {
-                let within = if a.kind == EventKind::Close { 1e-3 } else { 1e-7 };
-                (a.kind, a.element) == (b.kind, b.element) && (a.time - b.time).abs() < within
-            };
-            let is_found = a.len() == b.len() && a.iter().zip(&b).all(is_same) && by < 1e-9;
-            if is_found {
-                worst = worst.max(by);
-            } else {
-                let first = a.iter().zip(&b).position(|pair| !is_same(pair));
-                let first = first.unwrap_or(a.len().min(b.len()));
-                let near = |list: &[Kept]| {
-                    format!("{:?}", &list[first.saturating_sub(2)..list.len().min(first + 3)])
-                };
-                last = format!("by {by:e}, {} and {} events\n{}\n{}", a.len(), b.len(), near(&a), near(&b));
-            }
-            is_found
-        });
-        if !found {
-            failed.push(format!("{number}: {last}\n{model:?}"));
+        match beside(&machine, &start, until, &motion) {
+            Ok(by) => worst = worst.max(by),
+            Err(why) => failed.push(format!("{number}: {why}\n{model:?}")),
         }
         compared += 1;
         let count = |kind| of(&motion, kind).len();
@@ -638,6 +704,7 @@ fn random_machines_are_those_of_small_steps() {
     println!(
         "{compared} machines, {blows} blows, {closes} contacts, {opens} of them opened, worst {worst:e}"
     );
+    assert!(failed.is_empty(), "{} of {compared}\n{}", failed.len(), failed.join("\n"));
     assert!(blows > 10 * compared && closes > compared / 4 && opens > 0, "{blows} {closes} {opens}");
 }
 
@@ -652,9 +719,12 @@ fn steady_motions_and_their_multipliers_are_those_of_small_steps() {
         model.harmonics.truncate(1);
         (0..model.mass.len()).for_each(|i| model.damping[i][i] += 0.8);
         let rubs = model.elements.iter().filter_map(|element| match &element.kind {
-            Kind::Contact { law, peak, .. } => {
-                Some(Rub { b: element.direction.clone(), friction: law.points[0].1, peak: *peak })
-            }
+            Kind::Contact { law, peak, .. } => Some(Rub {
+                b: element.direction.clone(),
+                friction: law.points[0].1,
+                peak: *peak,
+                under: None,
+            }),
             _ => None,
         });
         let walls = model.elements.iter().filter_map(|element| match element.kind {

@@ -16,6 +16,7 @@ mod generator;
 #[cfg(feature = "rayon")]
 mod grid;
 mod impacts;
+mod joints;
 mod law_ends;
 mod long_run;
 mod massless;

@@ -57,6 +57,9 @@ fn element<F: Float>(element: &Element<f64>) -> Element<F> {
         Kind::Spring { points } => {
             Kind::Spring { points: points.iter().map(|&(y, force)| (of(y), of(force))).collect() }
         }
+        Kind::UnderStop { stop, coefficient, peak } => {
+            Kind::UnderStop { stop: *stop, coefficient: of(*coefficient), peak: of(*peak) }
+        }
         Kind::HardStop { gap, restitution } => {
             Kind::HardStop { gap: of(*gap), restitution: of(*restitution) }
         }

@@ -2,6 +2,7 @@
 
 use clap::error::ErrorKind;
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches};
+use std::ffi::OsString;
 use std::ops::Deref;
 use stickslip_front::inputs::{Input, Role};
 
@@ -19,6 +20,21 @@ const START: u8 = 4;
 
 /// The flag of a body without a spring.
 const NO_SPRING: &str = "no_spring";
+
+/// The name of that flag, and the stiffness that it stands for.
+const FLAG: &str = "--no-spring";
+const NONE: &str = "0";
+
+/// A message about the arguments as they were typed: a stiffness that the flag stands for has the flag's name.
+pub(crate) fn as_typed(message: String, arguments: impl Iterator<Item = OsString>) -> String {
+    let option = Input::Stiffness.option();
+    let arguments: Vec<String> = arguments.filter_map(|argument| argument.into_string().ok()).collect();
+    let is_typed = arguments.iter().any(|argument| argument.starts_with(option));
+    if is_typed || !arguments.iter().any(|argument| argument == FLAG) {
+        return message;
+    }
+    message.replace(&format!("{option} {NONE}"), FLAG)
+}
 
 /// A body and its frequency.
 pub(crate) type BodyArgs = Typed<BODY>;
@@ -71,7 +87,7 @@ impl<const PARTS: u8> Args for Typed<PARTS> {
         }
         command.arg(
             Arg::new(NO_SPRING)
-                .long("no-spring")
+                .long(FLAG.trim_start_matches('-'))
                 .action(ArgAction::SetTrue)
                 .help("A body without a spring, the same as a stiffness of 0"),
         )
@@ -88,10 +104,10 @@ impl<const PARTS: u8> FromArgMatches for Typed<PARTS> {
         let mut typed: Vec<_> = Self::inputs().filter_map(text).collect();
         if PARTS & BODY != 0 && matches.get_flag(NO_SPRING) {
             if let Some((spring, text)) = typed.iter().find(|(input, _)| input.role() == Role::Spring) {
-                let text = format!("{} {text}: must be left out with --no-spring\n", spring.option());
+                let text = format!("{} {text}: must be left out with {FLAG}\n", spring.option());
                 return Err(clap::Error::raw(ErrorKind::ArgumentConflict, text));
             }
-            typed.push((Input::Stiffness, "0".to_owned()));
+            typed.push((Input::Stiffness, NONE.to_owned()));
             typed.sort_by_key(|(input, _)| *input);
         }
         Ok(Self(typed))

@@ -93,7 +93,8 @@ Examples:
   stickslip record samples.txt --time-step 0.02s --record-units g --mass 800kg --period 2.5s --friction-coefficient 0.06
   stickslip record quake.at2 --yield-acceleration 0.1g --both-polarities
   stickslip record quake.at2 --mass 800kg --period 2.5s --friction-coefficient 0.06 --floor-spectrum 0.05s:2s:60:log
-  stickslip record quake.at2 --mass 1t --no-spring --friction-coefficient 0.25 --slope 10deg --one-way --format json")]
+  stickslip record quake.at2 --mass 1t --no-spring --friction-coefficient 0.25 --slope 10deg --one-way --format json
+  stickslip record cycle.csv --no-spring --friction-coefficient 0.2 --repeats")]
 pub(crate) struct RecordArgs {
     /// The record: of an agency, or columns, - for standard input
     #[arg(value_name = "FILE")]
@@ -114,6 +115,10 @@ pub(crate) struct RecordArgs {
     /// Velocity at the start
     #[arg(long, value_name = "V", allow_hyphen_values = true)]
     pub(crate) v0: Option<String>,
+    /// The record repeats itself: its last sample is at the time of the first one of the next cycle. The answer is the motion that the start
+    /// leads to
+    #[arg(long, conflicts_with_all = ["after", "both_polarities", "floor_spectrum", "out", "interval", "picture", "enclose", "one_way"])]
+    pub(crate) repeats: bool,
     /// The record and its mirror image, each with its answers, and those of the greater peak displacement first
     #[arg(long)]
     pub(crate) both_polarities: bool,

@@ -46,7 +46,7 @@ motion-plot | RATIOS | DRIVEN | x0 v0 m:units out overwrite title size
 identify | | MASS SPRING gravity force base-acceleration base-velocity base-displacement foot-displacement | file amplitude phase format units
 identify | | MASS SPRING gravity | file motion format units
 identify | decay half_cycles | decay half_cycles MASS SPRING gravity | file format units
-record | | BODY yield-acceleration STATIC mean-force | file slope one_way time_step time_column column skip record_units scale from to remove_mean resample after x0 v0 both_polarities floor_spectrum floor_damping out interval picture title size overwrite enclose format bits units
+record | | BODY yield-acceleration STATIC mean-force | file slope one_way time_step time_column column skip record_units scale from to remove_mean resample after x0 v0 repeats both_polarities floor_spectrum floor_damping out interval picture title size overwrite enclose format bits units
 record | describe | | file time_step time_column column skip record_units scale from to remove_mean resample picture title size overwrite format units
 spectrum | | BODY yield-acceleration STATIC mean-force | files slope one_way time_step time_column column skip record_units scale from to remove_mean resample after units format out resume shard header no_header picture title size overwrite
 decay | FRICTIONS | BODY STATIC mean-force | m:slope m:one_way x0 v0 out title size overwrite format bits m:units

@@ -7,12 +7,12 @@ use crate::motion_plot::{axis, panel};
 use crate::threads;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
-use stickslip::system::{Element, Kind, Motion, State};
+use stickslip::system::{Element, Motion, State};
 use stickslip_draw::{Axis, Figure, Panel, Series, Style};
 use stickslip_front::curve::SETTLED;
 use stickslip_front::inputs::units::Kind as Of;
 use stickslip_front::limits::MOST_ADDED;
-use stickslip_front::system::{Cell, Described, Grid, NamedSystem};
+use stickslip_front::system::{Cell, Described, Grid, NamedSystem, kind_of};
 
 /// The samples of a motion between which a picture draws straight lines.
 const SAMPLES: usize = 3000;
@@ -87,7 +87,7 @@ pub(super) fn motion(
             .map(|(at, state)| velocity(described, element, *at, state).abs())
             .collect();
         let most = speeds.iter().fold(0.0f64, |most, speed| most.max(*speed));
-        let is_contact = matches!(element.kind, Kind::Contact { .. });
+        let is_contact = kind_of(element) == "contact";
         let rests: Vec<bool> = speeds.iter().map(|speed| is_contact && *speed <= AT_REST * most).collect();
         let x = axis(&length, points.iter().map(|point| point.0), 0.08);
         let of_how_many = if count > SHOWN { format!(" ({} of {count})", i + 1) } else { String::new() };
@@ -250,7 +250,7 @@ pub(super) fn curve(grid: &Grid<'_>, described: &Described, title: &str) -> Resu
             .collect::<Vec<_>>()
     };
     let sticks: Vec<bool> = {
-        let contacts = described.model.elements.iter().filter(|e| matches!(e.kind, Kind::Contact { .. }));
+        let contacts = described.model.elements.iter().filter(|e| kind_of(e) == "contact");
         let rests: Vec<Vec<f64>> = contacts.map(|e| column(&format!("{}.rest_fraction", e.name))).collect();
         (0..places.len()).map(|i| rests.iter().any(|of| of.get(i).is_some_and(|x| *x > 0.0))).collect()
     };

@@ -89,6 +89,9 @@ fn links(described: &Described) -> Vec<Link> {
                 };
                 (Symbol::Contact, what)
             }
+            Kind::UnderStop { coefficient, .. } => {
+                (Symbol::Contact, format!("µ = {} under the stop", digits(*coefficient)))
+            }
             Kind::Elastic { stiffness, friction, normal } => {
                 let friction =
                     if normal.is_some() { format!("µ = {}", digits(*friction)) } else { force(*friction) };

@@ -149,6 +149,9 @@ fn of_element(element: &Element<f64>, place: usize, described: &Described, units
         String::new()
     };
     let force = |x: f64| with_unit(x, units, Of::Force);
+    let above = |peak: f64| {
+        if peak > 1.0 { format!(", static {} times that", digits(peak)) } else { String::new() }
+    };
     match &element.kind {
         Kind::Contact { law: Law { points }, peak, normal } => {
             let friction = match points.as_slice() {
@@ -156,9 +159,12 @@ fn of_element(element: &Element<f64>, place: usize, described: &Described, units
                 [(_, one)] => format!("a coefficient of {}", digits(*one)),
                 several => law_of(described, place, several.len()),
             };
-            let peak =
-                if *peak > 1.0 { format!(", static {} times that", digits(*peak)) } else { String::new() };
-            format!("contact{between}, friction {friction}{peak}")
+            format!("contact{between}, friction {friction}{}", above(*peak))
+        }
+        Kind::UnderStop { stop, coefficient, peak } => {
+            let stop = described.model.elements.get(*stop).map_or("", |stop| stop.name.as_str());
+            let what = format!("a coefficient of {} under {stop}", digits(*coefficient));
+            format!("contact{between}, friction {what}{}", above(*peak))
         }
         Kind::Elastic { stiffness, friction, normal } => {
             let most = match normal {
@@ -269,7 +275,7 @@ pub(super) fn motion(described: &Described, motion: &Motion<f64>, out: &mut impl
         let rest = match element.kind {
             Kind::Stop { .. } | Kind::HardStop { .. } => Some("open"),
             Kind::Elastic { .. } => Some("holds"),
-            Kind::Contact { .. } => Some("sticks"),
+            Kind::Contact { .. } | Kind::UnderStop { .. } => Some("sticks"),
             Kind::Spring { .. } => None,
         };
         let seconds = if described.units.is_some() { " s" } else { "" };

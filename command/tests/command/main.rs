@@ -43,6 +43,7 @@ mod options;
 mod parquet;
 mod points;
 mod records;
+mod repeats;
 mod round_trips;
 mod shapes;
 mod shell;

@@ -265,7 +265,7 @@ fn what_needs_a_spring_is_refused() {
         ("response --no-spring --mass 2 --friction 4 --force 12 --omega 2", "stiffness k = 0 must be > 0"),
         (
             "attractors --no-spring --mass 2 --friction 4 --frequency 3 --force 12 --static-ratio 1.2",
-            "Without a spring a limit has any place",
+            "--no-spring: every start has one limit, but for its place",
         ),
         (
             "steady --no-spring --mass 1 --friction 3 --friction-backward=-1 --force 10 --frequency 1",
@@ -274,5 +274,156 @@ fn what_needs_a_spring_is_refused() {
         ("pull --no-spring --mass 2 --friction 4 --speed 1", "stiffness k = 0 must be > 0"),
     ] {
         refused(line, &[words]);
+    }
+}
+
+/// The range of the displacements and the greatest velocity of small steps after a long time.
+fn stepped(damping: f64, peak: f64, acceleration: f64, friction: f64) -> Stepped {
+    let pair = Pair {
+        mass: [2.0, 1.0],
+        spring: [0.0; 2],
+        damper: [damping, 0.0],
+        friction,
+        peak,
+        force: [0.0, 1.0, 0.0],
+        base: [acceleration, 3.0],
+    };
+    let mut motion = Stepped::new(pair, 0.0, [0.0; 4]);
+    motion.follow(60.0 * TAU / 3.0, 60 * 256);
+    let mut motion = Stepped::new(pair, motion.time, [motion.state[0], 0.0, motion.state[2], 0.0]);
+    motion.follow(TAU / 3.0, 4096);
+    motion
+}
+
+/// Fails where two numbers differ by more than a bound.
+#[track_caller]
+fn agree(ours: f64, other: f64, bound: f64) {
+    assert!((ours - other).abs() <= bound, "{ours} for {other}, beyond {bound:e}");
+}
+
+/// Every start has one limit, but for its place: with a static friction above the kinetic one, too, where bodies on springs have several.
+/// The questions about several limits say so, with the name of the option that was typed.
+#[test]
+fn a_start_has_one_limit() {
+    let mut random = Random(7_511_290);
+    for _ in 0..12 {
+        let peak = random.between(1.0, 2.5);
+        let (alpha, damping) = (random.between(1.05 * peak, 1.05 * peak + 2.5), 3.0 * random.next());
+        let machine = format!(
+            "steady {MACHINE} --force {} --damping {damping} --static-ratio {peak} --format json",
+            4.0 * alpha
+        );
+        let first = json(&machine);
+        for _ in 0..4 {
+            let start = [random.between(-9.0, 9.0), random.between(-4.0, 4.0)];
+            let other = json(&format!("{machine} --x0={} --v0={}", start[0], start[1]));
+            for name in ["max_displacement", "min_displacement", "max_velocity", "min_velocity"] {
+                let [a, b] = [&first, &other].map(|answer| number(answer, name));
+                assert!((a - b).abs() < 1e-9 * (1.0 + a.abs()), "{machine} from {start:?}: {name} {a} {b}");
+            }
+            assert_eq!(first["sticks_per_cycle"], other["sticks_per_cycle"], "{machine} from {start:?}");
+        }
+    }
+    for command in ["attractors", "basins"] {
+        for (spring, named) in [("--no-spring", "--no-spring"), ("--stiffness 0", "--stiffness 0")] {
+            refused(
+                &format!("{command} {spring} --mass 2 --friction 4 --force 9 --frequency 3"),
+                &[&format!("{named}: every start has one limit"), "`stickslip steady` answers"],
+            );
+        }
+    }
+    refused(
+        "response --no-spring --mass 2 --friction 0 --force 9 --frequency 3",
+        &["--friction 0: must be > 0"],
+    );
+    refused(
+        "steady --no-spring --mass 2 --friction 4 --force 9 --omega 3 --frequency 2",
+        &["--omega, --frequency and"],
+    );
+    refused(
+        "steady --no-spring --stiffness 0 --mass 2",
+        &["--stiffness 0: must be left out with --no-spring"],
+    );
+}
+
+/// Friction and damper from a response curve by small steps, of which the lower half stops in each cycle, and from one by its formula.
+#[test]
+fn friction_and_damping_follow_from_a_curve() {
+    let folder = crate::place::place("springless_curve");
+    std::fs::create_dir(&*folder).unwrap();
+    let file = |name: &str, rows: &[(f64, f64)]| {
+        let rows: String = rows.iter().map(|(w, a)| format!("{w},{a}\n")).collect();
+        let path = folder.join(name);
+        std::fs::write(&path, format!("frequency[rad/s],amplitude[m]\n{rows}")).unwrap();
+        path.display().to_string()
+    };
+    // At ω_d = 3 s, times are those of ω_d = 3 over s, lengths over s², and a damper c is c/s.
+    let scales = [1.0, 1.3, 1.7, 2.2, 2.9, 3.7, 4.6, 6.0];
+    let rows: Vec<_> = scales
+        .iter()
+        .map(|s| {
+            let [most, least] = stepped(2.5 / s, 1.0, 3.4, 4.0).extremes[0];
+            (3.0 * s, (most - least) / 2.0 / (s * s))
+        })
+        .collect();
+    let name = file("steps.csv", &rows);
+    let found = json(&format!(
+        "identify {name} --units N,m --no-spring --mass 2 --base-acceleration 3.4 --format json"
+    ));
+    assert!(found["stops"].as_array().unwrap().iter().any(|stops| stops == true), "{found}");
+    assert!(found["damping_ratio"].is_null(), "{found}");
+    let value = |name: &str| found[name]["value"].as_f64().unwrap();
+    agree(value("friction"), 4.0, 1e-5);
+    agree(value("damping"), 2.5, 1e-4);
+    let formula = |w: f64| (81.0 - (3.0 * PI / 2.0).powi(2)).sqrt() / (2.0 * w * w);
+    let rows: Vec<_> = (3..15).map(|i| f64::from(i) * 1.5).map(|w| (w, formula(w))).collect();
+    let name = file("formula.csv", &rows);
+    let found = json(&format!("identify {name} --units N,m --no-spring --mass 2 --force 9 --format json"));
+    agree(found["friction"]["value"].as_f64().unwrap(), 3.0, 1e-7);
+    assert!(found["damping"]["value"].as_f64().unwrap() < 1e-6, "{found}");
+    refused(&format!("identify {name} --units N,m --no-spring --mass 2"), &["--no-spring: needs the drive"]);
+    for option in ["--decay", "--motion"] {
+        let line = format!("identify {name} --no-spring --mass 2 {option}");
+        refused(&line, &[&format!("--no-spring: must be left out with {option}")]);
+    }
+}
+
+/// The search for stops tried one at a distance that only a spring holds: the body crept back for longer than phases have digits.
+#[test]
+fn no_search_begins_where_a_spring_would_hold() {
+    // m = r_y = ω_d = 1 in lengths of r_y/(m ω_d²): x Ω² of the answer.
+    for (omega, alpha, zeta) in [
+        (268_435_456.0, 1.917_098_163_664_791_5, 8_552_963.642_568_92),
+        (536_870_912.0_f64, 1.676_724_514_629_020_8, 47_485_480.988_489_754),
+    ] {
+        let damping = 2.0 * zeta / omega;
+        let line =
+            format!("steady --omega {omega} --alpha {alpha} --damping-ratio {zeta} --quiet --format json");
+        let answer = json(&line);
+        // The same machine with m = 2, r_y = 4, ω_d = 3.
+        let motion = stepped(6.0 * damping, 1.0, 2.0 * alpha, 4.0);
+        let [most, least] = motion.extremes[0];
+        let ours = 2.0 * number(&answer, "max_displacement") * omega * omega * LENGTH;
+        agree(ours, most - least, 1e-8);
+        let share = motion.rest * 3.0 / TAU;
+        agree(number(&answer, "stick_fraction"), share, 1e-7);
+    }
+    for (mass, force, frequency, damping) in [
+        (3.491_337_221_191_711_3, 39.044_403_569_580_4, 0.256_611_556_556_549_27, 0.057_091_933_659_207_63),
+        (0.331_491_822_534_843_66, 626.439_294_903_244_4, 1.178_813_625_336_375_2, 0.058_788_708_430_704_35),
+        (2.512_931_241_927_305_8, 56.669_297_309_116_77, 33.778_375_683_849_376, 17.284_851_365_123_824),
+    ] {
+        let found = json(&format!(
+            "design dissipation --sticking --no-spring --mass {mass} --force {force} --frequency {frequency} --damping {damping} \
+             --format json"
+        ));
+        // The same machine with m = 2, ω_d = 3 and the amplitude 9 of the force.
+        let (friction, energy) = (number(&found, "friction") / force * 9.0, number(&found, "energy"));
+        let unit = force * force / (mass * frequency * frequency) / (81.0 / 18.0);
+        let of = |share: f64| {
+            stepped(damping / (mass * frequency) * 6.0, 1.0, 4.5, friction * share).state[6] * unit
+        };
+        agree(energy, of(1.0), 1e-6 * energy);
+        assert!(of(1.02) < energy && of(0.98) < energy, "{found}");
     }
 }

@@ -1,7 +1,9 @@
 //! The unit in which an axis is drawn: the one of its label, that unit with another prefix, or with a power of ten.
 
 use super::ticks::{is_of_powers, raised, ticks};
-use crate::figure::Axis;
+use crate::figure::{Axis, Figure};
+use std::borrow::Cow;
+use std::collections::BTreeMap;
 
 /// The units that take prefixes, each with the largest exponent in use: no ks, no Mm/s.
 const UNITS: [(&str, i32); 11] = [
@@ -49,27 +51,66 @@ fn ticks_at(axis: &Axis, exponent: i32) -> Vec<(f64, String)> {
     ticks(&own).into_iter().map(|(value, text)| (up(value), text)).collect()
 }
 
-/// The power of ten of an axis and its label with it; `None` for an axis that is drawn as it is.
-fn scaled(axis: &Axis) -> Option<(i32, String)> {
-    let greatest = axis.low.abs().max(axis.high.abs());
-    let is_known = greatest > 0.0 && axis.low.is_finite() && axis.high.is_finite();
+/// The figure whose axes of one unit know the greatest value of them all.
+pub(super) fn in_one_unit(figure: &Figure) -> Cow<'_, Figure> {
+    let mut greatest: BTreeMap<&str, f64> = BTreeMap::new();
+    let axes = || figure.panels.iter().flat_map(|panel| [&panel.x, &panel.y]);
+    for axis in axes() {
+        if let Some((_, unit)) = parts(axis).filter(|(_, unit)| !unit.is_empty()) {
+            let most = greatest.entry(unit).or_default();
+            *most = most.max(size(axis));
+        }
+    }
+    let due = |axis: &Axis| parts(axis).and_then(|(_, unit)| greatest.get(unit).copied()).unwrap_or_default();
+    if axes().all(|axis| due(axis) <= size(axis)) {
+        return Cow::Borrowed(figure);
+    }
+    let mut own = figure.clone();
+    for axis in own.panels.iter_mut().flat_map(|panel| [&mut panel.x, &mut panel.y]) {
+        axis.beside = due(axis);
+    }
+    Cow::Owned(own)
+}
+
+/// The greatest magnitude on an axis.
+fn size(axis: &Axis) -> f64 {
+    axis.low.abs().max(axis.high.abs())
+}
+
+/// The name and the unit of an axis that may be drawn in another unit.
+fn parts(axis: &Axis) -> Option<(&str, &str)> {
+    let is_known = size(axis) > 0.0 && axis.low.is_finite() && axis.high.is_finite();
     // Powers of ten are their own scale, and an end at 0 has none.
     let has_own = axis.logarithmic && (axis.low.min(axis.high) <= 0.0 || is_of_powers(axis));
     if axis.label.is_empty() || !is_known || has_own {
         return None;
     }
-    let (name, unit) = match axis.label.rsplit_once(" (") {
-        Some((name, rest)) => (name, rest.strip_suffix(')')?),
-        None => (axis.label.as_str(), ""),
-    };
+    match axis.label.rsplit_once(" (") {
+        Some((name, rest)) => Some((name, rest.strip_suffix(')')?)),
+        None => Some((axis.label.as_str(), "")),
+    }
+}
+
+/// The power of ten of an axis and its label with it; `None` for an axis that is drawn as it is.
+fn scaled(axis: &Axis) -> Option<(i32, String)> {
+    let ((name, unit), own) = (parts(axis)?, size(axis));
+    let shared = power(unit, own.max(axis.beside));
+    // Beside far greater values an axis keeps a unit of its own, in which its numbers are short.
+    let exponent = shared.as_ref().map_or(0, |(exponent, _)| *exponent);
+    let is_far = axis.beside > own && own < PLAIN_AS_THEY_ARE.0 * 10f64.powi(exponent);
+    let (exponent, unit) = if is_far { power(unit, own) } else { shared }?;
+    Some((exponent, format!("{name} ({unit})")))
+}
+
+/// The power of ten in which values up to the greatest one are drawn, and the unit with it.
+fn power(unit: &str, greatest: f64) -> Option<(i32, String)> {
     let exponent = 3 * (greatest.log10().floor() as i32).div_euclid(3);
     let other = prefixed(unit, exponent);
     let (least, most) = if other.is_some() { PLAIN } else { PLAIN_AS_THEY_ARE };
     if exponent < LEAST || (least..most).contains(&greatest) {
         return None;
     }
-    let unit = other.unwrap_or_else(|| format!("{} {unit}", raised(exponent)).trim_end().to_owned());
-    Some((exponent, format!("{name} ({unit})")))
+    Some((exponent, other.unwrap_or_else(|| format!("{} {unit}", raised(exponent)).trim_end().to_owned())))
 }
 
 /// The unit that is this power of ten times another; `None` where no prefix makes it.
@@ -85,8 +126,8 @@ fn prefixed(unit: &str, exponent: i32) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::drawn;
-    use crate::figure::Axis;
+    use super::{drawn, in_one_unit};
+    use crate::figure::{Axis, Figure, Panel};
 
     fn label(name: &str, ends: (f64, f64)) -> String {
         drawn(&Axis::new(name, ends, false)).0
@@ -124,6 +165,26 @@ mod tests {
         assert_eq!(label("displacement x/B", (0.0, 2e-5)), "displacement x/B (10⁻⁶)");
         assert_eq!(label("displacement x/B", (-4e8, 4e7)), "displacement x/B (10⁶)");
         assert_eq!(label("", (0.0, 1e-9)), "");
+    }
+
+    #[test]
+    fn axes_of_one_unit_are_drawn_in_one() {
+        let labels = |ends: &[(&str, f64)]| {
+            let panel = |(label, high): &(&str, f64)| {
+                let y = Axis::linear(&format!("a ({label})"), 0.0, *high);
+                Panel::new("", Axis::linear("period (s)", 0.0, 4.0), y, Vec::new())
+            };
+            let figure = Figure::new("", "", "", ends.iter().map(panel).collect::<Vec<_>>());
+            let shared = in_one_unit(&figure);
+            shared.panels.iter().map(|panel| drawn(&panel.y).0).collect::<Vec<_>>()
+        };
+        // The peak of a spectrum in metres, and what remains of it.
+        assert_eq!(labels(&[("m", 0.03), ("m", 0.002), ("m/s²", 0.004)]), ["a (m)", "a (m)", "a (mm/s²)"]);
+        assert_eq!(labels(&[("m", 4e-4), ("m", 0.008)]), ["a (mm)", "a (mm)"]);
+        assert_eq!(labels(&[("N", 2e4), ("N", 300.0)]), ["a (kN)", "a (kN)"]);
+        // A thousandth of a thousandth has no room in that unit.
+        assert_eq!(labels(&[("m", 3.0), ("m", 2e-6)]), ["a (m)", "a (µm)"]);
+        assert_eq!(labels(&[("m", 3.0), ("mm", 8e-4)]), ["a (m)", "a (nm)"]);
     }
 
     #[test]

@@ -106,6 +106,8 @@ pub struct Options<'a> {
     pub remove_mean: Option<&'a str>,
     /// The step at which the record is wanted.
     pub resample: Option<&'a str>,
+    /// What the samples are, where they are no load of one body: a displacement or a velocity.
+    pub quantity: Option<Kind>,
     /// The names of these options.
     pub words: Words,
 }
@@ -126,6 +128,7 @@ impl<'a> Options<'a> {
             to: None,
             remove_mean: None,
             resample: None,
+            quantity: None,
             words,
         }
     }
@@ -147,6 +150,7 @@ impl<'a> Options<'a> {
     /// The unit of samples, from the one that the file states in a line or else from the option: an acceleration, or of
     /// this kind.
     pub(super) fn unit(&self, stated: Option<(u64, &str)>, kind: Option<Kind>) -> Result<Unit, String> {
+        let kind = kind.or(self.quantity);
         let at = stated.map(|(line, _)| format!("{} line {line}: unit", self.name));
         match (stated, self.units) {
             (Some((line, _)), Some(typed)) => Err(format!(

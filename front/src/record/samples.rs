@@ -100,6 +100,9 @@ impl<'a, F: Float + FromStr> Samples<'a, F> {
     pub(super) fn finish(self, found: Found, options: &Options<'_>) -> Result<Reading<F>, String> {
         let Self { values, times, unit, reader, .. } = self;
         let unit = unit.ok_or_else(|| format!("{}: has no samples", options.name))?;
+        if let Some(due) = options.quantity.filter(|due| *due != unit.kind) {
+            return Err(format!("{}: must be a record of {}", options.name, due.expected()));
+        }
         let Found { kind, channel, excitation, stated, mut notes, unused, .. } = found;
         let named = |error| match error {
             Error::InSample { index, error } => {

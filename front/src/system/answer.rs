@@ -136,7 +136,7 @@ impl Units {
 /// The kind of an element in a word.
 pub const fn kind_of(element: &Element<f64>) -> &'static str {
     match element.kind {
-        Kind::Contact { .. } => "contact",
+        Kind::Contact { .. } | Kind::UnderStop { .. } => "contact",
         Kind::Elastic { .. } => "elastic",
         Kind::Stop { .. } | Kind::HardStop { .. } => "stop",
         Kind::Spring { .. } => "spring",
@@ -146,7 +146,7 @@ pub const fn kind_of(element: &Element<f64>) -> &'static str {
 /// Whether an element is a contact, rigid or elastic: it may be at rest.
 #[must_use]
 pub const fn is_contact(element: &Element<f64>) -> bool {
-    matches!(element.kind, Kind::Contact { .. } | Kind::Elastic { .. })
+    matches!(element.kind, Kind::Contact { .. } | Kind::UnderStop { .. } | Kind::Elastic { .. })
 }
 
 /// Whether an element is a stop with a restitution.

@@ -2,7 +2,7 @@
 
 use super::laws::Law;
 use std::path::Path;
-use stickslip::system::{Base, Model};
+use stickslip::system::{Base, Model, State};
 
 /// The bodies, and the system as far as it is read.
 pub(super) struct Builder<'p> {
@@ -12,6 +12,7 @@ pub(super) struct Builder<'p> {
     pub(super) model: Model<f64>,
     pub(super) folder: &'p Path,
     pub(super) base: Option<Base<f64>>,
+    pub(super) start: State<f64>,
     /// The laws that are curves.
     pub(super) laws: Vec<Law>,
 }

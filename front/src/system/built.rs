@@ -1,6 +1,6 @@
 //! A described system with its motions.
 
-use super::described::{Described, base_of, shake};
+use super::described::Described;
 use super::laws::set_points;
 use super::node::nearest;
 use super::{file, named};
@@ -91,7 +91,7 @@ impl NamedSystem {
     }
 
     /// A described system, if it has motions.
-    fn of(mut described: Described) -> Result<Self, String> {
+    pub(super) fn of(mut described: Described) -> Result<Self, String> {
         let Described { laws, model, start, .. } = &mut described;
         for law in laws {
             law.begin(model, start);
@@ -126,12 +126,8 @@ impl NamedSystem {
         if record.excitation() != Excitation::SurfaceAcceleration {
             return Err(format!("{name}: must be a record of an acceleration"));
         }
-        let Described { model, inertia, base, .. } = &mut self.described;
-        shake(base.get_or_insert_with(|| base_of(inertia.len())), model);
-        let values = record.samples().to_vec();
-        let times = (0..values.len()).map(|i| record.time(i)).collect();
         let beyond = if record.after() == After::Hold { Beyond::Hold } else { Beyond::Zero };
-        model.records.push(Samples { times, values, force: inertia.clone(), beyond });
+        self.described.shake(samples(record, beyond));
         Self::of(self.described)
     }
 
@@ -229,6 +225,13 @@ impl NamedSystem {
         let steps = if steps == MOST_STEPS { "10⁶".to_owned() } else { steps.to_string() };
         Err(format!("{typed}: must be ≤ {most}{unit}, {steps} steps of the fastest motion"))
     }
+}
+
+/// The samples of a record without a force.
+pub(super) fn samples(record: &Record<f64>, beyond: Beyond) -> Samples<f64> {
+    let values = record.samples().to_vec();
+    let times = (0..values.len()).map(|i| record.time(i)).collect();
+    Samples { times, values, force: Vec::new(), beyond }
 }
 
 /// The angular frequency of a record that repeats itself.

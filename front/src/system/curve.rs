@@ -11,6 +11,7 @@
 //! friction law, its static friction, and the middle of an odd spring stay.
 
 use super::formula::Formula;
+use super::interval::{Interval, Jet};
 
 /// The most pieces of a table; one that is twice as fine has twice as many.
 const MOST_PIECES: usize = 4000;
@@ -27,6 +28,11 @@ const SHIFT: f64 = 0.5;
 const EVEN: f64 = 0.2;
 /// The points of a piece at which its error is measured.
 const POINTS: usize = 16;
+/// A bound of a table's error is at most so much above the greatest error that was measured, where it takes no more than so many enclosures
+/// a piece, each of an interval halved so often at most.
+const CLOSE: f64 = 1.01;
+const ENCLOSURES: usize = 400;
+const DEEPEST: u32 = 60;
 
 /// A curve.
 #[derive(Debug, Clone)]
@@ -51,6 +57,19 @@ impl Curve {
                 kinetic + (static_ - kinetic) * libm::exp(-power) + viscous * x
             }
             Self::Formula(formula) => formula.at(x),
+        }
+    }
+
+    /// It and its first two derivatives over an interval.
+    fn jet(&self, x: Interval) -> Jet {
+        match self {
+            Self::Stribeck { kinetic, static_, speed, exponent, viscous } => {
+                let (x, number) = (Jet::variable(x), Jet::number);
+                let power = x.over(number(*speed)).power(number(*exponent));
+                let falls = number(*static_).minus(number(*kinetic)).times(power.negative().apply("exp"));
+                number(*kinetic).plus(falls).plus(number(*viscous).times(x))
+            }
+            Self::Formula(formula) => formula.jet(x),
         }
     }
 
@@ -214,7 +233,10 @@ impl<'c> Mesh<'c> {
                 ));
             }
             let pieces = (count as usize).next_multiple_of(2);
-            if self.within(&self.table(pieces)) <= tolerance {
+            let table = self.table(pieces);
+            // A curve without a bound, such as one with a corner, is measured alone.
+            let is_bounded = || self.bound(&table, tolerance).is_none_or(|bound| bound <= tolerance);
+            if self.within(&table) <= tolerance && is_bounded() {
                 return Ok(pieces);
             }
             count = (count * 1.1).ceil() + 1.0;
@@ -266,6 +288,54 @@ impl<'c> Mesh<'c> {
             }
         }
         within
+    }
+
+    /// A bound of the difference of a table from the curve, and whether it is proved: it is the greatest one at some points of each piece
+    /// otherwise.
+    pub(super) fn error(&self, points: &Points) -> (f64, bool) {
+        let seen = self.within(points);
+        self.bound(points, CLOSE * seen).map_or((seen, false), |bound| (bound.max(seen), true))
+    }
+
+    /// A bound of the difference of a table from the curve, by enclosures over intervals that are halved until it is `enough`.
+    fn bound(&self, points: &Points, enough: f64) -> Option<f64> {
+        let pairs = points.iter().zip(points.iter().skip(1));
+        // An odd spring is mirrored.
+        let own = pairs.filter(|(a, _)| self.of != Of::OddSpring || a.0 >= 0.0);
+        let mut bound = 0.0_f64;
+        for (a, b) in own {
+            let slope = Interval::point(b.1)
+                .minus(Interval::point(a.1))
+                .over(Interval::point(b.0).minus(Interval::point(a.0)));
+            let line = |x: Interval| Interval::point(a.1).plus(slope.times(x.minus(Interval::point(a.0))));
+            let off =
+                |x: f64| self.curve.jet(Interval::point(x)).value.minus(line(Interval::point(x))).size();
+            let mut left = vec![((a.0, off(a.0)), (b.0, off(b.0)), DEEPEST)];
+            let mut count = 0_usize;
+            while let Some((from, to, deep)) = left.pop() {
+                count = count.saturating_add(1);
+                let x = Interval::new(from.0, to.0);
+                let (jet, length) = (self.curve.jet(x), (to.0 - from.0).next_up());
+                // By f″, by f′ and by f alone.
+                let by_second = from.1.max(to.1) + length * length / 8.0 * jet.second.size();
+                let by_first = f64::midpoint(from.1, to.1) + length / 2.0 * jet.first.minus(slope).size();
+                let alone = jet.value.minus(line(x)).size();
+                let here = by_second.min(by_first).min(alone);
+                // Three sums, whose roundings are less than this.
+                let here = here * (1.0 + 8.0 * f64::EPSILON);
+                if here <= enough.max(bound) || deep == 0 || count > ENCLOSURES {
+                    bound = bound.max(here);
+                } else {
+                    let x = f64::midpoint(from.0, to.0);
+                    let (middle, deep) = ((x, off(x)), deep.saturating_sub(1));
+                    left.extend([(from, middle, deep), (middle, to, deep)]);
+                }
+            }
+            if !bound.is_finite() {
+                return None;
+            }
+        }
+        Some(bound)
     }
 }
 

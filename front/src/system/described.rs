@@ -3,7 +3,7 @@
 use super::laws::Law as Curved;
 use super::node::{Fields, Node};
 use crate::inputs::units::System as Units;
-use stickslip::system::{Base, Error, Law, Model, Signal, State, System};
+use stickslip::system::{Base, Error, Law, Model, Record, Signal, State, System};
 
 /// The greatest number of coordinates: the matrices are dense.
 pub(super) const MOST_COORDINATES: usize = 200;
@@ -55,6 +55,15 @@ impl Described {
         self.laws.iter().find(|law| law.element == element).map(Curved::words)
     }
 
+    /// Adds a record of the base's acceleration.
+    pub(super) fn shake(&mut self, record: Record<f64>) {
+        let Self { model, inertia, base, .. } = self;
+        let records = &mut base.get_or_insert_with(|| base_of(inertia.len())).acceleration.records;
+        records.resize(model.records.len(), 0.0);
+        records.push(1.0);
+        model.records.push(Record { force: inertia.clone(), ..record });
+    }
+
     /// The motions of this model on this base.
     pub(super) fn moving(&self, model: &Model<f64>) -> Result<System<f64>, Error> {
         let system = System::new(model)?;
@@ -82,13 +91,6 @@ impl Described {
 /// The base of coordinates that are displacements over it, at rest so far.
 pub(super) fn base_of(coordinates: usize) -> Base<f64> {
     Base { influence: vec![1.0; coordinates], acceleration: Signal::constant(0.0) }
-}
-
-/// Adds the record that comes next in the model to the acceleration of a base.
-pub(super) fn shake(base: &mut Base<f64>, model: &Model<f64>) {
-    let records = &mut base.acceleration.records;
-    records.resize(model.records.len(), 0.0);
-    records.push(1.0);
 }
 
 /// The static friction over the kinetic one, under either name.

@@ -7,6 +7,7 @@
 //!
 //! A number is printed to the last digit whose unit is at least eight times its error, so that the digits are right but for one unit of the last.
 
+use super::proved::Proved;
 use stickslip::system::{Motion, State, Steady};
 
 /// The kinds of numbers that are compared with each other.
@@ -40,6 +41,10 @@ pub(super) trait Numbers: Clone {
     fn is_like(&self, other: &Self) -> bool;
     /// The greatest speed or stretch of an element, where it is known.
     fn reach(&self, element: usize) -> Option<f64>;
+    /// The time since its start, where it is that of a motion from a given one.
+    fn duration(&self) -> Option<f64> {
+        None
+    }
 }
 
 fn listed<'n>(unit: Unit, is_phase: bool, list: &'n mut [f64], into: &mut Vec<Number<'n>>) {
@@ -93,6 +98,10 @@ impl Numbers for Motion<f64> {
 
     fn reach(&self, element: usize) -> Option<f64> {
         self.elements.get(element)?.reach
+    }
+
+    fn duration(&self) -> Option<f64> {
+        Some(self.duration)
     }
 }
 
@@ -194,6 +203,8 @@ impl Numbers for OfPassage {
 
 /// What a number has at least of the largest relative error of displacements and velocities.
 const SHARED: f64 = 0.1;
+/// The part of the greatest number of a kind below which a bound is told.
+const USEFUL: f64 = 0.1;
 /// What an extrapolated number has at least of the error of the finest table.
 const LEAST: f64 = 1.0 / 32.0;
 
@@ -270,6 +281,30 @@ pub(super) fn extrapolated<T: Numbers>(coarsest: &T, coarse: &T, fine: &T) -> (T
     }
     drop(numbers);
     (answer, shared)
+}
+
+/// A bound of the motion with the finest tables as one of the answer that was extrapolated from it, where it says a digit of displacements and
+/// velocities at least.
+pub(super) fn told<T: Numbers>(bound: Proved, fine: &T, answer: &T) -> Option<Proved> {
+    let of = |numbers: &T, unit: Unit| -> Vec<f64> {
+        numbers
+            .clone()
+            .numbers()
+            .iter()
+            .filter(|number| number.unit == unit)
+            .map(|number| *number.value)
+            .collect()
+    };
+    let moved = |list: &[f64], unit: Unit| -> Option<Vec<f64>> {
+        let (a, b) = (of(fine, unit), of(answer, unit));
+        let by = a.iter().zip(&b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        let size = b.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        let list: Vec<f64> = list.iter().map(|x| x + by).collect();
+        list.iter().all(|x| *x <= USEFUL * size).then_some(list)
+    };
+    let displacement = moved(&bound.displacement, Unit::Displacement)?;
+    let velocity = moved(&bound.velocity, Unit::Velocity)?;
+    Some(Proved { displacement, velocity })
 }
 
 /// A number to the last digit whose unit is at least eight times its estimated error: of 500 random machines some had four times the estimate.

@@ -179,6 +179,18 @@ fn by_matrices(fields: &Fields<'_>, units: Option<Units>) -> Result<Described, S
     for (i, node) in elements.iter().enumerate() {
         model.elements.push(element(node, i, n, &mut laws)?);
     }
+    // A stop may be named before it is described.
+    let names: Vec<String> = model.elements.iter().map(|element| element.name.clone()).collect();
+    for (node, element) in elements.iter().zip(&mut model.elements) {
+        if let Kind::UnderStop { stop, .. } = &mut element.kind {
+            let node = node.fields()?.required("stop")?;
+            let named = node.text()?;
+            *stop = names.iter().position(|name| name == named).ok_or_else(|| {
+                let near = nearest(named, names.iter().map(String::as_str));
+                node.wrong(&format!("is no element. {near}"))
+            })?;
+        }
+    }
     let mut start = State::rest(n);
     if let Some(node) = fields.get("start") {
         let state = node.fields()?;
@@ -231,6 +243,9 @@ fn element(node: &Node<'_>, i: usize, n: usize, laws: &mut Vec<Curved>) -> Resul
     let mut direction = fields.required("direction")?.vector(n)?;
     let kind = fields.required("type")?;
     let kind = match kind.text()? {
+        "contact" if fields.get("stop").is_some() => {
+            Kind::UnderStop { stop: 0, coefficient: number("friction")?, peak: peak(&fields)? }
+        }
         "contact" => {
             let law = match (fields.get("law"), fields.get("friction")) {
                 (Some(_), Some(node)) => return Err(node.wrong("must be left out beside a law")),

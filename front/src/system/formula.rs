@@ -4,6 +4,7 @@
 //! machine. The crates of expressions that have a licence like ours and are kept well, such as `exmex`, bring regular expressions: 1.2 MB in
 //! the command and in the page, whose limit is 1 MB, and 20 s of compilation.
 
+use super::interval::{Interval, Jet};
 use super::node::nearest;
 
 /// The longest formula in bytes.
@@ -101,6 +102,37 @@ impl Formula {
             stack.push(value);
         }
         stack.pop().unwrap_or(f64::NAN)
+    }
+
+    /// It and its first two derivatives over an interval.
+    pub(super) fn jet(&self, x: Interval) -> Jet {
+        let mut stack: Vec<Jet> = Vec::with_capacity(16);
+        let none = Jet::number(f64::NAN);
+        for step in &self.steps {
+            let mut pop = || stack.pop().unwrap_or(none);
+            let value = match *step {
+                Step::Number(number) => Jet::number(number),
+                Step::Variable => Jet::variable(x),
+                Step::Negative => pop().negative(),
+                Step::Apply(place) => pop().apply(FUNCTIONS.get(place).map_or("", |(name, _)| name)),
+                Step::Pair(place) => {
+                    let (b, a) = (pop(), pop());
+                    a.extreme(b, place == 0)
+                }
+                Step::Operator(operator) => {
+                    let (b, a) = (pop(), pop());
+                    match operator {
+                        b'+' => a.plus(b),
+                        b'-' => a.minus(b),
+                        b'*' => a.times(b),
+                        b'/' => a.over(b),
+                        _ => a.power(b),
+                    }
+                }
+            };
+            stack.push(value);
+        }
+        stack.pop().unwrap_or(none)
     }
 }
 

@@ -54,9 +54,9 @@ impl Refined<'_> {
         self.mesh.table((self.pieces / SCOUT).max(FEWEST))
     }
 
-    /// The force within which a table is.
-    pub(super) fn within(&self, table: &Points) -> f64 {
-        self.mesh.within(table)
+    /// The force within which a table is, and whether that is proved.
+    pub(super) fn error(&self, table: &Points) -> (f64, bool) {
+        self.mesh.error(table)
     }
 }
 
@@ -227,6 +227,7 @@ pub(super) fn set_points(kind: &mut system::Kind<f64>, table: Vec<(f64, f64)>) {
     match kind {
         system::Kind::Contact { law, .. } => *law = system::Law { points: table },
         system::Kind::Spring { points } => *points = table,
-        system::Kind::Elastic { .. } | system::Kind::Stop { .. } | system::Kind::HardStop { .. } => {}
+        system::Kind::Elastic { .. } | system::Kind::Stop { .. } => {}
+        system::Kind::HardStop { .. } | system::Kind::UnderStop { .. } => {}
     }
 }

@@ -4,7 +4,8 @@ use super::builder::Builder;
 use super::described::{Described, MOST_COORDINATES, MOST_ELEMENTS, base_of, law, pairs, peak, restitution};
 use super::laws::{BESIDE_CURVE, Law as Curved};
 use super::node::{Fields, Node, check_name, nearest};
-use super::signals::{NEEDS, add as plus};
+use super::signals::{NEEDS, add as plus, slopes_of};
+use super::smooth::second_derivative;
 use super::spring;
 use crate::inputs::units::{Kind as Of, System as Units};
 use serde_json::Value;
@@ -19,12 +20,18 @@ pub(super) fn described(root: &Node<'_>, folder: &Path, units: Units) -> Result<
     let fields = root.fields()?;
     let bodies = fields.required("masses")?.entries()?;
     let lists = |name| fields.get(name).map_or_else(|| Ok(Vec::new()), |node| node.list());
-    let springs = lists("springs")?;
+    let [springs, contacts] = [lists("springs")?, lists("contacts")?];
     let mut names: Vec<String> = bodies.iter().map(|(name, _)| (*name).to_owned()).collect();
     for spring in &springs {
         let spring = spring.fields()?;
         if spring.get("moves").is_some() {
-            names.push(pulled_end(&spring)?);
+            names.push(moved_part(&spring, END)?);
+        }
+    }
+    for contact in &contacts {
+        let contact = contact.fields()?;
+        if contact.get("moves").is_some_and(|node| has_side(&node)) {
+            names.push(moved_part(&contact, SIDE)?);
         }
     }
     let n = names.len();
@@ -45,9 +52,9 @@ pub(super) fn described(root: &Node<'_>, folder: &Path, units: Units) -> Result<
         taken: Vec::new(),
         folder,
         base: None,
+        start: State::rest(n),
         laws: Vec::new(),
     };
-    let mut start = State::rest(n);
     for (i, (name, node)) in bodies.iter().enumerate() {
         check_name(name).map_err(|must| format!("masses.{name}: {must}"))?;
         if *name == GROUND {
@@ -58,8 +65,8 @@ pub(super) fn described(root: &Node<'_>, folder: &Path, units: Units) -> Result<
             let moves = body.get("moves");
             let mass = if moves.is_some() { body.get("mass") } else { Some(body.required("mass")?) };
             for (field, kind, place) in [
-                ("start", Of::Length, &mut start.displacement),
-                ("velocity", Of::Velocity, &mut start.velocity),
+                ("start", Of::Length, &mut builder.start.displacement),
+                ("velocity", Of::Velocity, &mut builder.start.velocity),
             ] {
                 if let (Some(node), Some(place)) = (body.get(field), place.get_mut(i)) {
                     *place = node.quantity(kind)?;
@@ -83,7 +90,7 @@ pub(super) fn described(root: &Node<'_>, folder: &Path, units: Units) -> Result<
     for node in springs {
         builder.spring(&node.fields()?)?;
     }
-    for node in lists("contacts")? {
+    for node in contacts {
         builder.contact(&node.fields()?)?;
     }
     for node in lists("stops")? {
@@ -108,7 +115,7 @@ pub(super) fn described(root: &Node<'_>, folder: &Path, units: Units) -> Result<
         ));
     }
     let inertia = builder.inertia();
-    let Builder { model, names: coordinates, base, laws, .. } = builder;
+    let Builder { model, names: coordinates, base, start, laws, .. } = builder;
     Described { model, coordinates, units: Some(units), start, inertia, base, laws }.checked()
 }
 
@@ -218,7 +225,7 @@ impl Builder<'_> {
                 Vec::new()
             } else {
                 let table = if law.value().is_string() {
-                    self.columns(&law, [Of::Length, Of::Force], None)?
+                    self.columns(&law, [Of::Length, Of::Force])?
                 } else {
                     pairs(&law, |node, i| node.quantity(if i == 0 { Of::Length } else { Of::Force }))?
                 };
@@ -236,7 +243,7 @@ impl Builder<'_> {
                     node.wrong("needs the ground as the first end in between: it is the end that moves")
                 );
             }
-            let end = pulled_end(fields)?;
+            let end = moved_part(fields, END)?;
             ends[0] = self.names.iter().position(|name| *name == end);
             if let Some(coordinate) = ends[0] {
                 self.moved(&node, fields, coordinate)?;
@@ -259,10 +266,20 @@ impl Builder<'_> {
     }
 
     fn contact(&mut self, fields: &Fields<'_>) -> Result<(), String> {
-        let (direction, _) = self.direction(fields)?;
+        let (mut direction, _) = self.direction(fields)?;
         let name = self.name(fields)?;
         let friction = self.friction(fields)?;
         let moves = match fields.get("moves") {
+            Some(node) if has_side(&node) => {
+                let side = moved_part(fields, SIDE)?;
+                if let Some(coordinate) = self.names.iter().position(|name| *name == side) {
+                    self.moved(&node, fields, coordinate)?;
+                    if let Some(place) = direction.get_mut(coordinate) {
+                        *place = -1.0;
+                    }
+                }
+                Signal::constant(0.0)
+            }
             Some(node) => self.side(&node)?,
             None => Signal::constant(0.0),
         };
@@ -339,7 +356,7 @@ impl Builder<'_> {
                 Law { points: Vec::new() }
             }
             (None, Some(node)) if node.value().is_string() => {
-                Law { points: self.columns(&node, [Of::Velocity, Of::Force], None)? }
+                Law { points: self.columns(&node, [Of::Velocity, Of::Force])? }
             }
             (None, Some(node)) => {
                 law(&node, |node, i| node.not_negative(if i == 0 { Of::Velocity } else { Of::Force }))?
@@ -392,22 +409,14 @@ impl Builder<'_> {
         let (by, signal) = self.motion(node)?;
         match by {
             MovedBy::Velocity => Ok(signal),
-            MovedBy::Displacement => {
-                Ok(Signal { rates: signal.records.clone(), ..self.derivative(&signal) })
-            }
-            MovedBy::Acceleration if signal.records.is_empty() && signal.constant == 0.0 => {
-                Ok(self.integral(&signal))
-            }
-            MovedBy::Acceleration => Err(node.wrong(
-                "must be waves where it is an acceleration: otherwise name a body with this motion among the masses, and put the \
-                 contact between both bodies",
-            )),
+            MovedBy::Displacement => Ok(Signal { rates: signal.records.clone(), ..self.derivative(&signal) }),
+            MovedBy::Acceleration => Ok(self.integral(&signal)),
         }
     }
 
     /// A body whose motion is prescribed.
     fn moved(&mut self, node: &Node<'_>, body: &Fields<'_>, coordinate: usize) -> Result<(), String> {
-        let (by, mut signal) = self.motion(node)?;
+        let (by, signal) = self.motion(node)?;
         let starts: &[&'static str] = match by {
             MovedBy::Displacement => &["start", "velocity"],
             MovedBy::Velocity => &["velocity"],
@@ -416,18 +425,18 @@ impl Builder<'_> {
         if let Some(node) = starts.iter().find_map(|name| body.get(name)) {
             return Err(node.wrong("must be left out: the motion prescribes it"));
         }
-        let mut moved = vec![(by, signal.clone())];
-        if by == MovedBy::Acceleration && !(signal.sin.is_empty() && signal.cos.is_empty()) {
+        let mut moved = Moved { coordinate, by, signal };
+        if by == MovedBy::Acceleration {
             // Waves of an acceleration have a velocity with the mean 0.
-            let waves = self.integral(&signal);
-            (signal.sin, signal.cos) = (Vec::new(), Vec::new());
-            if signal != Signal::constant(0.0) {
-                return Err(node.wrong("must be either waves or a record where it is an acceleration"));
+            let waves = self.integral(&moved.signal);
+            let Signal { constant, sin, cos, records, .. } = &moved.signal;
+            if *constant == 0.0 && records.is_empty() && !(sin.is_empty() && cos.is_empty()) {
+                moved = Moved { by: MovedBy::Velocity, signal: waves, ..moved };
+            } else if let Some(velocity) = self.start.velocity.get_mut(coordinate) {
+                *velocity += waves.cos.iter().sum::<f64>();
             }
-            moved = vec![(MovedBy::Velocity, waves)];
         }
-        let all = moved.into_iter().map(|(by, signal)| Moved { coordinate, by, signal });
-        self.model.moved.extend(all);
+        self.model.moved.push(moved);
         Ok(())
     }
 
@@ -435,39 +444,44 @@ impl Builder<'_> {
         let (direction, _) = self.direction(fields)?;
         let name = self.name(fields)?;
         let gap = fields.required("gap")?.quantity(Of::Length)?;
-        let elastic = ["stiffness", "damping", "coefficient", "along", "peak", "static_ratio"];
-        if let Some(restitution) = restitution(fields, &elastic, &["name"])? {
-            fields.end()?;
-            let (moves, kind) = (Signal::constant(0.0), Kind::HardStop { gap, restitution });
-            self.model.elements.push(Element { name, direction, moves, kind });
-            return Ok(());
-        }
-        let stiffness = fields.required("stiffness")?.quantity(Of::Stiffness)?;
-        let damping = fields.quantity_or("damping", Of::Damping, 0.0)?;
-        let (along, ratio) = (fields.get("along"), peak(fields)?);
+        let friction = ["coefficient", "along", "peak", "static_ratio"];
+        let kind = match restitution(fields, &["stiffness", "damping"], &[&["name"], &friction[..]].concat())?
+        {
+            Some(restitution) => Kind::HardStop { gap, restitution },
+            None => {
+                let stiffness = fields.required("stiffness")?.quantity(Of::Stiffness)?;
+                Kind::Stop { gap, stiffness, damping: fields.quantity_or("damping", Of::Damping, 0.0)? }
+            }
+        };
+        let (along, peak) = (fields.get("along"), peak(fields)?);
         if let (Some(node), None) = (&along, fields.get("coefficient")) {
             return Err(node.wrong("needs the coefficient of a friction"));
         }
         let friction = match fields.get("coefficient") {
-            Some(node) if damping != 0.0 => {
-                return Err(node.wrong(
-                    "must be left out of a stop with damping: its force, and with it the friction, would begin at once",
-                ));
-            }
             Some(node) => {
                 let along = along.map_or_else(|| fields.required("along"), Ok)?;
                 let along = self.direction_of(&along)?.0;
-                let law = Law::constant(node.not_negative(Of::Ratio)?);
-                let displacement = direction.iter().map(|b| stiffness * b).collect();
-                let signal = Signal::constant(-(stiffness * gap));
-                let normal = Some(Normal { signal, displacement, velocity: Vec::new() });
-                Some((along, Kind::Contact { law, peak: ratio, normal }))
+                let coefficient = node.not_negative(Of::Ratio)?;
+                let under = match kind {
+                    Kind::Stop { damping, .. } if damping != 0.0 => {
+                        return Err(node.wrong(
+                            "must be left out of a stop with damping: its force, and with it the friction, would begin at once",
+                        ));
+                    }
+                    Kind::Stop { stiffness, .. } => {
+                        let displacement = direction.iter().map(|b| stiffness * b).collect();
+                        let signal = Signal::constant(-(stiffness * gap));
+                        let normal = Some(Normal { signal, displacement, velocity: Vec::new() });
+                        Kind::Contact { law: Law::constant(coefficient), peak, normal }
+                    }
+                    _ => Kind::UnderStop { stop: self.model.elements.len(), coefficient, peak },
+                };
+                Some((along, under))
             }
             None => None,
         };
         fields.end()?;
         let moves = Signal::constant(0.0);
-        let kind = Kind::Stop { gap, stiffness, damping };
         self.model.elements.push(Element { name: name.clone(), direction, moves: moves.clone(), kind });
         if let Some((direction, kind)) = friction {
             let name = format!("{name} friction");
@@ -545,15 +559,13 @@ impl Builder<'_> {
         let acceleration = match by {
             MovedBy::Acceleration => signal,
             MovedBy::Velocity => {
-                let Signal { records, .. } = self.slopes(&node, &signal)?;
+                let Signal { records, .. } = self.of_records(&node, &signal, slopes_of)?;
                 Signal { records, ..self.derivative(&signal) }
             }
-            MovedBy::Displacement if signal.records.is_empty() => self.derivative(&self.derivative(&signal)),
+            // Between straight lines the velocity would change at once.
             MovedBy::Displacement => {
-                return Err(node.wrong(
-                    "must be waves: the velocity between straight lines changes at once. Give the record of its velocity or \
-                     acceleration, or a body that moves in place of the ground",
-                ));
+                let Signal { records, .. } = self.of_records(&node, &signal, second_derivative)?;
+                Signal { records, ..self.derivative(&self.derivative(&signal)) }
             }
         };
         let force = self.inertia();
@@ -579,10 +591,31 @@ pub(super) fn along(bodies: &[String], model: &Model<f64>, name: &str) -> Option
     body.or_else(|| element().map(|element| element.direction.clone()))
 }
 
-/// The name of the end of a spring that is moved.
-fn pulled_end(fields: &Fields<'_>) -> Result<String, String> {
+/// What is moved of a spring, and of a contact.
+const END: &str = "end";
+const SIDE: &str = "side";
+
+/// The name of the coordinate of the end of a spring, or of the side of a contact, that is moved.
+fn moved_part(fields: &Fields<'_>, part: &str) -> Result<String, String> {
     let name = fields.get("name").map(|node| node.name().map(str::to_owned)).transpose()?;
-    Ok(format!("{} end", name.unwrap_or_else(|| fields.node.place().to_owned())))
+    Ok(format!("{} {part}", name.unwrap_or_else(|| fields.node.place().to_owned())))
+}
+
+/// Whether the motion of a contact's side needs a coordinate: an acceleration other than sines, whose velocity is no wave or record.
+fn has_side(moves: &Node<'_>) -> bool {
+    fn is_sine(value: &Value) -> bool {
+        match value {
+            Value::Array(parts) => parts.iter().all(is_sine),
+            Value::Object(wave) => wave.iter().all(|(name, value)| match name.as_str() {
+                "amplitude" | "frequency" | "phase" => true,
+                "shape" => value == "sine",
+                "waves" => is_sine(value),
+                _ => false,
+            }),
+            _ => false,
+        }
+    }
+    moves.value().get("acceleration").is_some_and(|value| !is_sine(value))
 }
 
 /// 1 at a place, and 0 elsewhere.

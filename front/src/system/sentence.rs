@@ -80,7 +80,11 @@ pub fn digits_sentence(digits: &Digits, units: Option<&Units>) -> String {
     let table = |of: &OfTable| {
         let within: f64 = format!("{:.1e}", of.within).parse().unwrap_or(of.within);
         let within = with_unit(within, units, Of::Force);
-        format!("The law of {} is a table of {} pieces, within {within} of the curve. ", of.name, of.pieces)
+        let seen = if of.proved { "" } else { " at 17 points of each piece" };
+        format!(
+            "The law of {} is a table of {} pieces, within {within} of the curve{seen}. ",
+            of.name, of.pieces
+        )
     };
     let tables: String = digits.tables.iter().map(table).collect();
     let known = if digits.events_agree {
@@ -88,7 +92,17 @@ pub fn digits_sentence(digits: &Digits, units: Option<&Units>) -> String {
     } else {
         "The tables do not have the same events: the digits are those in which they agree, and the events are those of the finest table."
     };
-    format!("{tables}{known}")
+    let greatest = |list: &[f64], of: Of| {
+        let most = list.iter().copied().fold(0.0, f64::max);
+        // Rounded upwards.
+        let text = format!("{:.1e}", most * 1.05);
+        with_unit(text.parse().unwrap_or(most), units, of)
+    };
+    let proved = digits.bound.as_ref().map_or_else(String::new, |bound| {
+        let (displacement, velocity) = (greatest(&bound.displacement, Of::Length), greatest(&bound.velocity, Of::Velocity));
+        format!(" It is proved that displacements are right within {displacement}, and velocities within {velocity}.")
+    });
+    format!("{tables}{known}{proved}")
 }
 
 /// The verdict on a steady motion.
@@ -154,7 +168,8 @@ fn irregular_sentence(found: &Steady<f64>) -> &'static str {
     " The motion is irregular: small disturbances become as large as it is, so that rounding decides its states."
 }
 
-/// The part of a motion's velocity, or of its displacement, within which a stop is grazed.
+/// The part of a motion's displacement within which a stop is grazed. A body that goes so far beyond its gap has the root of that part of its
+/// velocity there.
 const GRAZED: f64 = 1e-6;
 
 /// The stops with a restitution that a motion only just reaches, or only just misses.
@@ -171,7 +186,7 @@ fn grazing_sentence(described: &Described, motion: &Motion<f64>) -> String {
         }
         let weakest = own().filter_map(|event| event.velocities).map(|pair| pair.0).reduce(f64::min);
         let is_grazed = match weakest {
-            Some(weakest) => weakest <= GRAZED * speed,
+            Some(weakest) => weakest <= GRAZED.sqrt() * speed,
             None => {
                 let far = |(i, b): (usize, &f64)| {
                     let list = if *b > 0.0 { &motion.max_displacement } else { &motion.min_displacement };
@@ -185,7 +200,7 @@ fn grazing_sentence(described: &Described, motion: &Motion<f64>) -> String {
         };
         is_grazed.then(|| {
             format!(
-                " The motion grazes {}: there a small disturbance is multiplied without bound, and no multiplier says how.",
+                " The motion grazes {}: there a small disturbance may be multiplied without bound, and no multiplier says how.",
                 element.name
             )
         })

@@ -1,6 +1,7 @@
 //! Quantities over time: constants, waves, shapes by name, sweeps and records, alone or in a sum.
 
 use super::builder::Builder;
+use super::built::samples;
 use super::described::{MOST_FREQUENCIES, MOST_RECORDS, MOST_SAMPLES};
 use super::node::{Fields, Node, nearest};
 use crate::inputs::units::Kind as Of;
@@ -212,10 +213,7 @@ impl Builder<'_> {
             own.end()?;
             return Ok(found);
         }
-        let record = match kind {
-            Of::Acceleration | Of::Force => self.measured(node, beside, kind)?,
-            _ => self.tabulated(node, beside, kind)?,
-        };
+        let record = self.measured(node, beside, kind)?;
         let mut signal = Signal::constant(0.0);
         add_at(&mut signal.records, self.add_record(node, record)?, 1.0);
         Ok(signal)
@@ -230,7 +228,9 @@ impl Builder<'_> {
         let [time_step, time_column, column, from, to, remove_mean, resample] =
             ["time_step", "time_column", "column", "from", "to", "remove_mean", "resample"].map(text);
         let units = fields.get("units").map(|node| node.text()).transpose()?;
+        let is_load = [Of::Acceleration, Of::Force].contains(&kind);
         let options = Options {
+            quantity: (!is_load).then_some(kind),
             time_step: time_step.as_deref(),
             time_column: time_column.as_deref(),
             column: column.as_deref(),
@@ -248,36 +248,16 @@ impl Builder<'_> {
         let opened = open_regular(&file).map_err(|e| about(format!("{name}: {e}")))?;
         let found: Measured<f64> = record::read(BufReader::new(opened), &options).map_err(about)?.record;
         let due = if kind == Of::Force { Excitation::Force } else { Excitation::SurfaceAcceleration };
-        if found.excitation() != due {
+        if is_load && found.excitation() != due {
             return Err(node.wrong(&format!("must be a record of {}", due.name())));
         }
-        let times = (0..found.samples().len()).map(|i| found.time(i)).collect();
-        finished(fields, times, found.samples().to_vec(), found.after() == After::Hold)
+        let Record { times, values, .. } = samples(&found, Beyond::Zero);
+        // A velocity ends with its record, and a displacement stays.
+        finished(fields, times, values, kind != Of::Velocity && found.after() == After::Hold)
     }
 
-    /// A table of times and values: displacements or velocities.
-    fn tabulated(&self, node: &Node<'_>, fields: &Fields<'_>, kind: Of) -> Result<Record<f64>, String> {
-        let column = fields.get("column").map(|node| shown(&node));
-        let points = self.columns(node, [Of::Time, kind], column.as_deref())?;
-        let bound = |name: &'static str, other: f64| {
-            fields.get(name).map_or(Ok(other), |node| node.quantity(Of::Time))
-        };
-        let (from, to) = (bound("from", f64::NEG_INFINITY)?, bound("to", f64::INFINITY)?);
-        let inside = points.into_iter().filter(|(t, _)| (from..=to).contains(t));
-        let (times, values): (Vec<f64>, Vec<f64>) = inside.unzip();
-        if times.len() < 2 {
-            return Err(node.wrong("must have at least two samples"));
-        }
-        finished(fields, times, values, kind == Of::Length)
-    }
-
-    /// Two columns of a CSV file: the first one, and the second or the one that is asked for.
-    pub(super) fn columns(
-        &self,
-        node: &Node<'_>,
-        kinds: [Of; 2],
-        column: Option<&str>,
-    ) -> Result<Vec<(f64, f64)>, String> {
+    /// The first two columns of a CSV file: a law.
+    pub(super) fn columns(&self, node: &Node<'_>, kinds: [Of; 2]) -> Result<Vec<(f64, f64)>, String> {
         let file = self.folder.join(node.text()?);
         let name = file.display().to_string();
         let bad = |e: &dyn std::fmt::Display| format!("{}: {name}: {e}", node.place());
@@ -291,19 +271,10 @@ impl Builder<'_> {
         let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text.as_bytes());
         let header = reader.headers().map_err(|e| bad(&e))?.clone();
         let names: Vec<(&str, Option<&str>)> = header.iter().map(crate::names::name_and_unit).collect();
-        let wanted = column.map_or(Some(1), |column| {
-            let by_number = column.trim().parse::<usize>().ok().and_then(|place| place.checked_sub(1));
-            by_number.or_else(|| names.iter().position(|(name, _)| name.eq_ignore_ascii_case(column.trim())))
-        });
-        let places = [Some(0), wanted.filter(|place| *place < names.len())];
-        let [Some(first), Some(second)] = places else {
-            return Err(bad(&match (column, kinds) {
-                (Some(column), _) => format!("has no column {column}"),
-                (None, [Of::Velocity, Of::Force]) => "must have the columns speed and force".to_owned(),
-                (None, [Of::Length, Of::Force]) => "must have the columns displacement and force".to_owned(),
-                (None, _) => "must have the columns time and value".to_owned(),
-            }));
-        };
+        if names.len() < 2 {
+            let first = if kinds[0] == Of::Velocity { "speed" } else { "displacement" };
+            return Err(bad(&format!("must have the columns {first} and force")));
+        }
         let mut points = Vec::new();
         for (line, row) in reader.records().enumerate() {
             let row = row.map_err(|e| bad(&e))?;
@@ -315,7 +286,7 @@ impl Builder<'_> {
                 found.map_err(|e| format!("{}: {e}", node.place()))
             };
             let [of_first, of_second] = kinds;
-            points.push((value(first, of_first)?, value(second, of_second)?));
+            points.push((value(0, of_first)?, value(1, of_second)?));
         }
         Ok(points)
     }
@@ -415,30 +386,41 @@ impl Builder<'_> {
         Signal { sin, cos, ..Signal::constant(0.0) }
     }
 
-    /// The slopes of the records of a signal, as records with steps.
-    pub(super) fn slopes(&mut self, node: &Node<'_>, signal: &Signal<f64>) -> Result<Signal<f64>, String> {
+    /// A signal with derivatives of the records of another one, in its order.
+    pub(super) fn of_records(
+        &mut self,
+        node: &Node<'_>,
+        signal: &Signal<f64>,
+        derivative: fn(&Record<f64>) -> Result<Record<f64>, &'static str>,
+    ) -> Result<Signal<f64>, String> {
         let mut result = Signal::constant(0.0);
         for (i, &factor) in signal.records.iter().enumerate().filter(|(_, factor)| **factor != 0.0) {
             let Some(record) = self.model.records.get(i) else { continue };
-            let pairs = record.times.iter().zip(&record.values);
-            let (mut times, mut values) = (Vec::new(), Vec::new());
-            for ((&a, &p), (&b, &q)) in pairs.clone().zip(pairs.skip(1)) {
-                if a == b {
-                    return Err(node.wrong("must not change at once: that takes an infinite acceleration"));
-                }
-                times.extend([a, b]);
-                values.extend([(q - p) / (b - a); 2]);
-            }
-            let ends = (record.values.first(), record.values.last());
-            if record.beyond == Beyond::Repeat && ends.0 != ends.1 {
-                return Err(node.wrong("must end with its first value where it repeats itself"));
-            }
-            let beyond = if record.beyond == Beyond::Repeat { Beyond::Repeat } else { Beyond::Zero };
-            let place = self.add_record(node, Record { times, values, force: Vec::new(), beyond })?;
+            let found = derivative(record).map_err(|must| node.wrong(must))?;
+            let place = self.add_record(node, found)?;
             add_at(&mut result.records, place, factor);
         }
         Ok(result)
     }
+}
+
+/// The slopes of a record, as a record with steps; what it must be to have them.
+pub(super) fn slopes_of(record: &Record<f64>) -> Result<Record<f64>, &'static str> {
+    let pairs = record.times.iter().zip(&record.values);
+    let (mut times, mut values) = (Vec::new(), Vec::new());
+    for ((&a, &p), (&b, &q)) in pairs.clone().zip(pairs.skip(1)) {
+        if a == b {
+            return Err("must not change at once: that takes an infinite rate");
+        }
+        times.extend([a, b]);
+        values.extend([(q - p) / (b - a); 2]);
+    }
+    let ends = (record.values.first(), record.values.last());
+    if record.beyond == Beyond::Repeat && ends.0 != ends.1 {
+        return Err("must end with its first value where it repeats itself");
+    }
+    let beyond = if record.beyond == Beyond::Repeat { Beyond::Repeat } else { Beyond::Zero };
+    Ok(Record { times, values, force: Vec::new(), beyond })
 }
 
 /// The names of the reader's options in a file of a system.

@@ -1,8 +1,9 @@
 //! Motions under laws that are curves: by tables that are refined, with the digits that agree.
 
 use super::built::NamedSystem;
-use super::digits::{Numbers, OfPassage, OfStates, OfSteady, extrapolated};
+use super::digits::{Numbers, OfPassage, OfStates, OfSteady, extrapolated, told};
 use super::laws::{Law, Refined, set_points};
+use super::proved::{Proved, Tabled, bound};
 use serde::Serialize;
 use std::fmt;
 use stickslip::system::{Beyond, Error, Motion, State, Steady, System};
@@ -53,6 +54,8 @@ pub struct Digits {
     pub events_agree: bool,
     /// The largest estimated error of displacements and velocities, over the greatest of their kind.
     pub error: f64,
+    /// A bound of the errors of displacements and velocities, where it says a digit of each at least.
+    pub bound: Option<Proved>,
 }
 
 /// A table.
@@ -64,6 +67,8 @@ pub struct OfTable {
     pub pieces: usize,
     /// The force within which it is.
     pub within: f64,
+    /// Whether that is proved, and not the greatest difference at 17 points of each piece.
+    pub proved: bool,
 }
 
 /// An answer, with its digits where laws are curves.
@@ -191,13 +196,24 @@ impl NamedSystem {
             }
             let events_agree = coarse.is_like(&fine);
             let (answer, error) = extrapolated(&coarsest, &coarse, &fine);
-            let of_tables = laws.iter().zip(&tables).map(|(law, of)| {
-                let table = of.table(fineness);
-                let (pieces, within) = (table.len().saturating_sub(1), of.within(&table));
-                OfTable { name: self.described.name_of(law.element).to_owned(), pieces, within }
+            let points: Vec<_> = tables.iter().map(|of| of.table(fineness)).collect();
+            let of_tables = laws.iter().zip(&tables).zip(&points).map(|((law, of), table)| {
+                let (within, proved) = of.error(table);
+                let name = self.described.name_of(law.element).to_owned();
+                OfTable { name, pieces: table.len().saturating_sub(1), within, proved }
             });
-            let tables = of_tables.collect();
-            return Ok((answer, Some(Digits { tables, digits: "estimated", events_agree, error })));
+            let tables: Vec<OfTable> = of_tables.collect();
+            let tabled = laws.iter().zip(&tables).zip(points.iter().zip(&ranges));
+            let tabled = tabled.map(|((law, of), (points, &range))| {
+                let (element, within) = (law.element, if of.proved { of.within } else { f64::INFINITY });
+                let reach = fine.reach(element).unwrap_or(f64::INFINITY);
+                Tabled { element, points, within, reach, range }
+            });
+            let bound = fine.duration().and_then(|time| {
+                let bound = bound(&self.described.model, &tabled.collect::<Vec<_>>(), time)?;
+                told(bound, &fine, &answer)
+            });
+            return Ok((answer, Some(Digits { tables, digits: "estimated", events_agree, error, bound })));
         }
         Err(Why::Law("the motion leaves every table of its laws".to_owned()))
     }

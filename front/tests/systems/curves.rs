@@ -163,6 +163,64 @@ fn digits_are_those_of_small_steps_on_the_curve() {
     assert!(mean > 3.0 && differ <= 2, "{mean} {differ}");
 }
 
+/// A law that rises: the bound of displacements and velocities holds the motion of small steps on the curve, at its end and on the way, and says four digits.
+#[test]
+fn the_bound_under_a_law_that_rises_is_kept() {
+    let mut random = Random(764);
+    let (mut closest, mut widest, mut seen) = (0.0_f64, 0.0_f64, 0);
+    for number in 0..crate::count(12, 100) {
+        let (rest, more, speed) =
+            (random.between(1.0, 4.0), random.between(0.5, 3.0), random.between(0.1, 0.8));
+        let [m, k, c] = [random.between(0.5, 2.5), random.between(20.0, 90.0), random.between(0.1, 1.0)];
+        let load = [random.between(6.0, 20.0), random.between(2.0, 9.0), random.between(0.0, 6.0), 0.0];
+        let [amplitude, frequency, phase, _] = load;
+        // A law that falls less than the damper takes is as good as one that rises.
+        let viscous = if number % 3 == 0 { -0.9 * c } else { random.between(0.0, 0.5) };
+        let start = random.between(-0.1, 0.1);
+        let file = format!(
+            "units = \"N,m\"\n[masses]\nm = {{ mass = {m}, start = {start} }}\n[[springs]]\nname = \"s\"\nbetween = [\"ground\", \"m\"]\nstiffness = {k}\ndamping = {c}\n[[contacts]]\nname = \"c\"\nbetween = [\"ground\", \"m\"]\nlaw = {{ formula = \"max({rest} + {viscous}*v + {more}*tanh(v/{speed})^2, 0)\" }}\n[[forces]]\non = \"m\"\namplitude = {amplitude}\nfrequency = {frequency}\nphase = {phase}\n"
+        );
+        let found = named(&file);
+        for until in [1.0, 2.5, 4.0] {
+            let machine = Machine {
+                mass: vec![m],
+                spring: vec![(Box::new(move |x: f64| k * x), Vec::new(), c)],
+                friction: Some(Box::new(move |v: f64| {
+                    (rest + viscous * v + more * (v / speed).tanh().powi(2)).max(0.0)
+                })),
+                belt: 0.0,
+                load,
+                start: vec![start, 0.0],
+                step: 1.0 / 4096.0,
+            };
+            let (due, _) = machine.follow(until);
+            let (motion, digits) = found.simulate(&found.described.start, until).unwrap();
+            let digits = digits.unwrap();
+            assert!(digits.tables[0].proved, "{file}");
+            let bound = digits.bound.unwrap_or_else(|| panic!("{number}: {file}"));
+            for (own, due, bound) in [
+                (motion.end.displacement[0], due[0], bound.displacement[0]),
+                (motion.end.velocity[0], due[1], bound.velocity[0]),
+            ] {
+                // The small steps are within 10⁻⁹.
+                assert!((own - due).abs() <= bound + 1e-9, "{number}: {own} {due} {bound}\n{file}");
+                closest = closest.max((own - due).abs() / bound);
+            }
+            widest = widest.max(bound.velocity[0] / motion.max_velocity[0].max(-motion.min_velocity[0]));
+            seen += 1;
+        }
+    }
+    println!(
+        "{seen} motions, {closest:.4} of the bound at most, which is {widest:.1e} of the velocity at most"
+    );
+    assert!(widest < 1e-2, "{widest}");
+    // A law that falls faster has no bound that says anything, and a formula with a corner is measured where it has none.
+    let falling = "units = \"N,m\"\n[masses]\nm = 1\n[[contacts]]\nname = \"c\"\nbetween = [\"ground\", \"m\"]\nlaw = { formula = \"5 + v + 10*exp(-2*v)\" }\n[[forces]]\non = \"m\"\namplitude = 25\nfrequency = 1.5707963267948966\n";
+    let found = named(falling);
+    let digits = found.simulate(&found.described.start, 5.0).unwrap().1.unwrap();
+    assert!(digits.bound.is_none() && digits.tables[0].proved);
+}
+
 /// Modelica's example `Friction`: 1.768518 m.
 #[test]
 fn the_end_of_modelicas_example() {

@@ -4,7 +4,9 @@
 mod bounds;
 mod curves;
 mod drives;
+mod grazing;
 mod hostile;
+mod prescribed;
 mod schema;
 mod springs;
 mod stepper;
@@ -12,6 +14,8 @@ mod wrong;
 
 #[path = "../../../tests/random/generator.rs"]
 mod generator;
+#[path = "../../../tests/place/mod.rs"]
+mod place;
 
 use serde_json::{Value, json};
 use std::path::Path;

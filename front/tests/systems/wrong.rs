@@ -274,3 +274,49 @@ fn a_stop_is_elastic_or_has_a_restitution() {
         assert_eq!(built(&value).unwrap_err(), format!("{place}: needs one of stiffness and restitution"));
     }
 }
+
+/// Friction under a stop with a restitution is between bodies by name, or under the stop that is named; and it is across the stop.
+#[test]
+fn friction_under_a_stop_names_that_stop() {
+    let named = |along: Value| {
+        json!({
+            "masses": {"up": 1, "along": 1},
+            "stops": [{"name": "floor", "between": ["up", "ground"], "gap": 0, "restitution": 0.4, "coefficient": 0.3, "along": along}],
+        })
+    };
+    let by_place = |stop: &str, direction: Value| {
+        json!({
+            "mass": [[1, 0], [0, 1]],
+            "elements": [
+                {"type": "contact", "name": "rub", "direction": direction, "friction": 0.3, "stop": stop},
+                {"type": "stop", "name": "floor", "direction": [0, -1], "gap": 0, "restitution": 0.4},
+            ],
+        })
+    };
+    for value in [named(json!(["ground", "along"])), by_place("floor", json!([1, 0]))] {
+        let found = NamedSystem::new(&value, [], Path::new(""), None).unwrap();
+        let (own, other) = if value["stops"].is_array() { ("floor friction", 0) } else { ("rub", 1) };
+        let rubs = found.described.model.elements.iter().find(|element| element.name == own).unwrap();
+        assert!(
+            matches!(rubs.kind, stickslip::system::Kind::UnderStop { stop, coefficient, peak } if stop == other && coefficient == 0.3 && peak == 1.0)
+        );
+    }
+    let across = "must be across the stop that presses on it";
+    let why = built(&named(json!(["ground", "up"]))).unwrap_err();
+    assert!(why.starts_with("floor friction must") && why.contains(across) && !why.contains('\n'), "{why}");
+    let why = built(&by_place("floor", json!([1, 1]))).unwrap_err();
+    assert!(why.starts_with("rub must") && why.contains(across), "{why}");
+    assert_eq!(
+        built(&by_place("flor", json!([1, 0]))).unwrap_err(),
+        "elements[1].stop flor: is no element. Did you mean floor?"
+    );
+    let place = "must be under the force of a stop with a restitution";
+    assert!(built(&by_place("rub", json!([1, 0]))).unwrap_err().contains(place));
+    let without = |name: &str| {
+        let mut value = named(json!(["ground", "along"]));
+        value["stops"][0].as_object_mut().unwrap().remove(name);
+        built(&value).unwrap_err()
+    };
+    assert_eq!(without("along"), "stops[1].along is missing");
+    assert!(without("coefficient").ends_with("needs the coefficient of a friction"));
+}

@@ -216,7 +216,8 @@ def identify(
     ----------
     mass, stiffness, force : float or str
         Mass and stiffness of the machine, and amplitude of the harmonic force, with or without units. Without the stiffness
-        the natural frequency is found, too; without the force, its amplitude.
+        the natural frequency is found, too; without the force, its amplitude. A stiffness of 0 is a body without a spring, whose
+        ``damping_ratio`` is c/(2 m ω), ω the lowest frequency of the curve.
     amplitude : array
         The amplitude of the displacement measured at each frequency.
     frequency, angular_frequency : array

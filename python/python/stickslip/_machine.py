@@ -26,6 +26,7 @@ from ._steady import STEADY_OUTPUTS, MachineSteady
 
 if TYPE_CHECKING:
     from ._design import Band, BandFriction, BestFriction, BestStiffness, TargetFriction
+    from ._system import System
 
 
 _R = TypeVar("_R", bound=PhysicalResult)
@@ -587,6 +588,30 @@ class Machine(Frozen, Generic[V]):
         """
         start = self._start(displacement, velocity)
         return floor_spectrum(self._sliding(mean_force), record, start, period, damping_ratio)
+
+    def system(
+        self,
+        load: Union[Drive[Any], Record],
+        *,
+        displacement: Quantity = 0.0,
+        velocity: Quantity = 0.0,
+        mean_force: Quantity = 0.0,
+    ) -> System:
+        """This body as a `System`, under a drive or under a record that repeats itself; its ``steady`` has the drift of a body
+        without a spring. Half the difference of frictions by direction is a constant force there.
+
+        A machine on skids with an unbalance, on a floor that falls by 1 %, in millimetres an hour:
+
+        >>> import stickslip as ss
+        >>> skids = ss.Machine(mass="300 kg", stiffness="0 N/mm", friction_coefficient=0.15, units="N,mm")
+        >>> drive = ss.Drive(unbalance="0.04 kg*m", frequency="25 Hz", mean_force="29.4 N")
+        >>> walk = skids.system(drive).steady()
+        >>> round(float(walk.mean_velocity[0]) * 3600, 1)
+        5600.7
+        """
+        from ._one_body import one_body
+
+        return one_body(self._sliding(mean_force), load, self._start(displacement, velocity), vars(self)["_own"])
 
     def _start(self, displacement: ArrayLike, velocity: ArrayLike) -> tuple[Any, Any]:
         return self._values("displacement", displacement, "length"), self._values("velocity", velocity, "velocity")

@@ -64,7 +64,7 @@ class Driven(NamedTuple):
         backward = at.given["friction_backward"]
         drifts = (at.given["mean_force"] != 0) | ~(np.isnan(backward) | (backward == at.given["friction"]))
         if np.any(springless & drifts):
-            raise Error("stiffness: must be > 0 with a mean force or friction that differs by direction, because the body drifts")
+            raise Error("stiffness: must be > 0 with a mean force or friction that differs by direction, because the body drifts. Machine.system(drive).steady() answers with the drift")
         found = _native.without_zeros(*self._native_columns)
         return self._replace(springless=springless, at=at._replace(given={**at.given, **{name: column.reshape(at.shape or ()) for name, column in found.items()}}))
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import Any, Generic, NamedTuple, NoReturn, Optional, TypeVar, Union, overload
+from typing import TYPE_CHECKING, Any, Generic, NamedTuple, NoReturn, Optional, TypeVar, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -33,6 +33,9 @@ from ._result import (
     read_only,
     short,
 )
+
+if TYPE_CHECKING:
+    from ._system import System
 
 #: The kind of the samples of each record.
 _KINDS = {
@@ -886,6 +889,22 @@ class Block(Frozen):
     def _start(self, displacement: ArrayLike, velocity: ArrayLike) -> tuple[Any, Any]:
         units, is_named = self.units, vars(self)["_named"]
         return values_of("displacement", displacement, "length", units, is_named), values_of("velocity", velocity, "velocity", units, is_named)
+
+    def system(self, record: Record, *, displacement: Quantity = 0.0, velocity: Quantity = 0.0) -> System:
+        """This block as a `System` under a record that repeats itself; see `Machine.system`.
+
+        A conveyor that jerks carries its part in each cycle:
+
+        >>> import stickslip as ss
+        >>> part = ss.Block(mass="1 kg", friction_coefficient=0.5, units="N,mm")
+        >>> cycle = ss.Record([0.3, 0.3, -0.9, -0.9], times=[0, 0.06, 0.06, 0.08], unit="g")
+        >>> round(float(part.system(cycle).steady().drift[0]), 6)
+        1.176798
+        """
+        from ._one_body import one_body
+
+        of_type("record", record, Record)
+        return one_body(self._sliding(), record, self._start(displacement, velocity), {})
 
     def follow(self, record: Record, *, displacement: ArrayLike = 0.0, velocity: ArrayLike = 0.0) -> Followed[Any]:
         """The motion under a record from a start; see `Machine.follow`."""

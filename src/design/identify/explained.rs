@@ -26,7 +26,7 @@ pub(super) fn is_unexplained(curve: &ResponseCurve<'_>, found: &Judged) -> bool 
     }
     let counted = || {
         let all = zip(curve.points, zip(&found.fit.residuals, &found.suspect)).take(amplitudes);
-        all.filter(|(_, (_, is_suspect))| !**is_suspect).map(|(point, (r, _))| (point.amplitude, *r))
+        all.filter(|(_, (_, is_suspect))| !**is_suspect).map(|(point, (r, _))| (point.measured, *r))
     };
     let count = counted().count() as f64;
     let (once, twice) = counted()

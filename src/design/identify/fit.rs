@@ -26,9 +26,32 @@ use core::iter::zip;
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
+/// The body of a curve.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Spring {
+    /// On a spring.
+    Of(Oscillator<f64>),
+    /// Of this mass without a spring. Its ζ of the search is c/(2 m ω₁), with ω₁ the lowest frequency of the curve.
+    None { mass: f64, lowest: f64 },
+}
+
+impl Spring {
+    /// The body at a frequency, and its damping ratio for each unit of that of the search.
+    fn at(&self, frequency: f64) -> Result<(Oscillator<f64>, f64), Error> {
+        match *self {
+            Self::Of(body) => Ok((body, 1.0)),
+            // ζ = c/(2 m ω_n) of a spring that is too soft to be seen at this frequency.
+            Self::None { mass, lowest } => {
+                let body = Oscillator::without_spring(mass, 1.0, frequency)?;
+                Ok((body, lowest / body.natural_frequency()))
+            }
+        }
+    }
+}
+
 /// The fit with mass, stiffness and force known.
 pub(super) fn identified(
-    body: &Oscillator<f64>,
+    body: &Spring,
     force: f64,
     curve: &[Measurement],
     reading: Reading,
@@ -102,18 +125,16 @@ pub(super) fn sample<T: Copy>(points: &[T]) -> Vec<T> {
 }
 
 /// A measurement in ratios.
-pub(super) fn in_ratios(
-    body: &Oscillator<f64>,
-    force: f64,
-    measured: &Measurement,
-) -> Result<MeasuredPoint, Error> {
+pub(super) fn in_ratios(body: &Spring, force: f64, measured: &Measurement) -> Result<MeasuredPoint, Error> {
     let drive = Drive::new(Excitation::Force, force, measured.angular_frequency)?;
+    let (body, damping) = body.at(measured.angular_frequency)?;
     let ratios = Ratios::new(drive.angular_frequency() / body.natural_frequency(), 2.0)?;
     if ratios.omega() >= model::SLOW {
         // The exact motion has a range of frequencies of its own.
         let _ = Trajectory::new(ratios, State::default())?;
     }
-    let amplitude = positive(Quantity::MaxDisplacement, measured.amplitude)? * body.stiffness() / force;
+    let length = positive(Quantity::MaxDisplacement, measured.amplitude)?;
+    let amplitude = length * body.stiffness() / force;
     let phase = measured.phase.map(|phase| finite(Quantity::DrivePhase, phase)).transpose()?;
     // 2π may have been rounded up.
     if let Some(phase) = phase.filter(|phase| phase.abs() > TAU + 1e-3) {
@@ -124,7 +145,7 @@ pub(super) fn in_ratios(
             greatest: written(TAU),
         });
     }
-    Ok(MeasuredPoint { omega: ratios.omega(), amplitude, phase })
+    Ok(MeasuredPoint { omega: ratios.omega(), amplitude, measured: length, damping, phase })
 }
 
 impl<'a> ResponseCurve<'a> {

@@ -14,6 +14,10 @@ use num_traits::Float as _;
 pub(super) struct MeasuredPoint {
     pub(super) omega: f64,
     pub(super) amplitude: f64,
+    /// The amplitude as it was measured.
+    pub(super) measured: f64,
+    /// The damping ratio of this point for each unit of ζ of the search: 1 on a spring, whose ζ is that of all points.
+    pub(super) damping: f64,
     pub(super) phase: Option<f64>,
 }
 
@@ -54,7 +58,8 @@ impl<'a> ResponseCurve<'a> {
 
     pub(super) fn motions(&self, parameters: Parameters) -> Option<Vec<ModelMotion>> {
         let whole = self.needs_whole();
-        self.points.iter().map(|p| motion(p.omega, parameters, whole)).collect()
+        let [kappa, zeta] = parameters;
+        self.points.iter().map(|p| motion(p.omega, [kappa, p.damping * zeta], whole)).collect()
     }
 
     /// Measured minus computed: of all amplitudes, relative to the measured ones, then of all phases.

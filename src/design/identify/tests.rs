@@ -131,7 +131,8 @@ fn a_slow_body_follows_the_force() {
 fn a_search_without_end_is_cut() {
     let measured = curve(3.0, 0.05, (1.2, 3.6), 8, false);
     let body = body(3.0, 0.05);
-    let points: Vec<_> = measured.iter().map(|m| in_ratios(&body, FORCE, m).unwrap()).collect();
+    let points: Vec<_> =
+        measured.iter().map(|m| in_ratios(&super::Spring::Of(body), FORCE, m).unwrap()).collect();
     let curve = ResponseCurve::of(&points, AmplitudeKind::Peak, PhaseKind::Peak);
     let found = judge(&curve, [0.3, 0.1], None).unwrap();
     for (alike, is_whole) in [(2.0 * found.fit.sum, true), (f64::INFINITY, false)] {

@@ -4,6 +4,7 @@
 //! of the fit of all other curves (`outliers`), and θ is the one with the least misfit. It is found by the steps of Gauss and
 //! Newton in (κ, ζ, θ), from a number of starts.
 
+use super::fit::Spring;
 use super::model::Parameters;
 use super::outliers::{Judged, judge};
 use super::search::{MeasuredPoint, ResponseCurve, Rule, StartGrid, descend, reduced};
@@ -52,6 +53,7 @@ impl Scaled {
 
     fn points(&self, curve: &[Measurement], theta: f64) -> Result<Vec<MeasuredPoint>, Error> {
         let (body, force) = self.at(theta)?;
+        let body = Spring::Of(body);
         let point = |(index, measured): (usize, &Measurement)| {
             in_ratios(&body, force, measured).map_err(|e| Error::InMeasurement { index, error: Box::new(e) })
         };
@@ -340,7 +342,7 @@ pub(super) fn fitted(scaled: Scaled, curve: &[Measurement], reading: Reading) ->
     };
     let (best, profile) = whole.lowest(best).ok_or(Error::NotIdentified)?;
     let (body, force) = scaled.at(best.theta)?;
-    let mut identified = identified(&body, force, curve, reading)?;
+    let mut identified = identified(&Spring::Of(body), force, curve, reading)?;
     let greatest = if matches!(scaled, Scaled::Force { .. }) { f64::INFINITY } else { force };
     let ranges = [greatest, f64::INFINITY, f64::INFINITY];
     let values = zip(zip(scaled.quantities(best.place()), profile.hull), zip(profile.covariance, ranges));

@@ -57,10 +57,10 @@ pub(crate) struct Expected<'a, F> {
 /// Maximum number of parts of a passage; longer ones are left to `shooting`.
 const MOST_PARTS: usize = 64;
 
-/// The passage from a stop at x; `None` if there is no stop at the beginning or half a turn later.
+/// The passage from a stop at x; `None` if there is no stop at the beginning or half a turn later, or the end of a slide is not found.
 ///
 /// # Errors
-/// [`crate::Error::SearchBound`], [`crate::Error::Interrupted`].
+/// [`crate::Error::Interrupted`].
 pub(crate) fn passage<F: Float>(
     equation: Equation<F>,
     station: Station,
@@ -95,9 +95,11 @@ pub(crate) fn passage<F: Float>(
                 is_proved = false;
                 found
             }
-            None => {
-                slide.velocity_zero(hint.unwrap_or(usual)).map_err(|Lost| slide.lost("the velocity zero"))?
-            }
+            None => match slide.velocity_zero(hint.unwrap_or(usual)) {
+                Ok(found) => found,
+                // A stop that is tried may be one that no motion has: without a spring, at a distance that only a spring holds.
+                Err(Lost) => return Ok(None),
+            },
         };
         parts.push(MotionPart::Slide(slide, zero));
         let next = Next::after(&slide, &zero).0;

@@ -12,6 +12,7 @@ use crate::system::matrix::{at, dot, set, size_of_dot};
 use crate::system::mode::{Mode, lock, sign, slides};
 use crate::system::next_branch::{AtRest, at_rest, decide, follows};
 use crate::system::spring;
+use crate::system::under::loaded;
 use alloc::string::String;
 use alloc::vec::Vec;
 
@@ -159,10 +160,61 @@ impl<F: Float> Follower<'_, F> {
         }
     }
 
+    /// The modes of contacts under stops as their stops have it: apart, or by their velocities where they were.
+    pub(super) fn follow_stops(&self, modes: &mut [Mode]) {
+        for (i, stop) in self.system.under_stops() {
+            let touches = modes.get(stop) == Some(&Mode::Resting);
+            let (Some(mode), Some(part)) = (modes.get_mut(i), self.system.parts.get(i)) else { continue };
+            if !touches {
+                *mode = Mode::Apart;
+            } else if *mode == Mode::Apart {
+                let v = dot(&part.velocity, &self.z);
+                let still = v.abs() <= size_of_dot(&part.velocity, &self.z) * F::epsilon() * F::int(64);
+                *mode = if still || self.is_slow(i) { Mode::Stuck } else { slides(&part.rule, v) };
+            }
+        }
+    }
+
     /// Decides the contacts at rest, and takes their velocities out. `released` are those whose force has just reached its
     /// bound, with the direction; `arrives` tells whether one has not been at rest before.
     pub(super) fn settle(
         &mut self,
+        modes: &mut [Mode],
+        resting: Vec<usize>,
+        released: &[(usize, bool)],
+        arrives: bool,
+    ) -> Result<(), Error> {
+        let system = self.system;
+        let Some((first, _)) = system.under_stops().next() else {
+            return self.decide_at_rest(system, modes, resting, released, arrives);
+        };
+        // The force of a stop, under which a friction is decided, is that of the branch: which is the one that is decided with it.
+        for _ in 0..=system.parts.len() {
+            self.follow_stops(modes);
+            let before = modes.to_vec();
+            let mut resting = resting.clone();
+            for (i, _) in system.under_stops() {
+                let mode = before.get(i).copied().unwrap_or(Mode::Apart);
+                resting.retain(|other| *other != i);
+                if mode == Mode::Stuck || self.may_rest(i, mode) {
+                    resting.push(i);
+                }
+            }
+            resting.sort_unstable();
+            self.decide_at_rest(&loaded(system, &before), modes, resting, released, arrives)?;
+            self.follow_stops(modes);
+            let other = |i: &usize| system.parts.get(*i).is_some_and(|part| part.under.is_none());
+            if (0..modes.len()).filter(other).all(|i| modes.get(i) == before.get(i)) {
+                return Ok(());
+            }
+        }
+        Err(self.undecided(first))
+    }
+
+    /// Decides the contacts at rest once.
+    fn decide_at_rest(
+        &mut self,
+        system: &Assembly<F>,
         modes: &mut [Mode],
         mut resting: Vec<usize>,
         released: &[(usize, bool)],
@@ -171,7 +223,6 @@ impl<F: Float> Follower<'_, F> {
         if resting.is_empty() {
             return Ok(());
         }
-        let system = self.system;
         if system.is_dependent {
             // What depends on contacts at rest is at rest.
             let slides =

@@ -11,12 +11,13 @@ pub(super) struct Wall {
     pub(super) e: f64,
 }
 
-/// A contact with Coulomb's friction.
+/// A contact with Coulomb's friction, or, under a wall with this place among them, with a coefficient.
 #[derive(Clone)]
 pub(super) struct Rub {
     pub(super) b: Vec<f64>,
     pub(super) friction: f64,
     pub(super) peak: f64,
+    pub(super) under: Option<usize>,
 }
 
 /// An event, with the velocity before a blow.
@@ -106,6 +107,24 @@ impl Machine {
         i.checked_sub(self.rubs.len()).and_then(|i| self.walls.get(i))
     }
 
+    /// The place of the wall under whose force a contact is.
+    fn wall_above(&self, i: usize) -> Option<usize> {
+        Some(self.rubs.len() + self.rubs.get(i)?.under?)
+    }
+
+    /// Contacts under walls are away where these are, and slide or rest where they are not.
+    fn follow(&self, modes: &mut [Mode], z: &[f64]) {
+        for i in 0..self.rubs.len() {
+            let Some(wall) = self.wall_above(i) else { continue };
+            if modes[wall] == Mode::Away {
+                modes[i] = Mode::Away;
+            } else if modes[i] == Mode::Away {
+                let v = self.velocity(i, z);
+                modes[i] = if v.abs() > 1e-9 { Mode::Slides(v.signum()) } else { Mode::Rests };
+            }
+        }
+    }
+
     fn b(&self, i: usize) -> &[f64] {
         self.wall(i).map_or_else(|| &self.rubs[i].b, |wall| &wall.b)
     }
@@ -127,7 +146,7 @@ impl Machine {
                 self.constant[i] + loads.sum::<f64>() - held
             })
             .collect();
-        for (rub, mode) in self.rubs.iter().zip(modes) {
+        for (rub, mode) in self.rubs.iter().zip(modes).filter(|(rub, _)| rub.under.is_none()) {
             if let Mode::Slides(s) = mode {
                 force.iter_mut().zip(&rub.b).for_each(|(f, b)| *f -= b * s * rub.friction);
             }
@@ -138,17 +157,26 @@ impl Machine {
     /// The accelerations, with the forces of what rests within their bounds.
     fn acceleration(&self, modes: &[Mode], t: f64, z: &[f64]) -> Vec<f64> {
         let mut a = self.free(modes, t, z);
-        let rests: Vec<usize> = (0..self.count()).filter(|&i| modes[i] == Mode::Rests).collect();
+        // With those that slide under a force that is sought.
+        let is_under = |i: usize| self.wall_above(i).is_some() && modes[i] != Mode::Away;
+        let rests: Vec<usize> =
+            (0..self.count()).filter(|&i| modes[i] == Mode::Rests || is_under(i)).collect();
         let mut force = vec![0.0; rests.len()];
         let responses: Vec<Vec<f64>> = rests.iter().map(|&i| self.response(self.b(i))).collect();
         for _ in 0..4000 {
             let mut change: f64 = 0.0;
             for (k, &i) in rests.iter().enumerate() {
                 let own = dot(self.b(i), &responses[k]);
-                let (low, high) = match self.wall(i) {
-                    Some(_) => (0.0, f64::INFINITY),
-                    None => {
+                let load = |wall: usize| rests.iter().position(|&i| i == wall).map_or(0.0, |k| force[k]);
+                let (low, high) = match (self.wall(i), modes[i]) {
+                    (Some(_), _) => (0.0, f64::INFINITY),
+                    (None, Mode::Slides(s)) => {
+                        let kinetic = s * self.rubs[i].friction * self.wall_above(i).map_or(1.0, load);
+                        (kinetic, kinetic)
+                    }
+                    (None, _) => {
                         let bound = self.rubs[i].friction * self.rubs[i].peak;
+                        let bound = bound * self.wall_above(i).map_or(1.0, load);
                         (-bound, bound)
                     }
                 };
@@ -230,6 +258,7 @@ impl Machine {
             for i in leaves {
                 modes[i] = if self.wall(i).is_some() { Mode::Away } else { Mode::Slides(along[i].signum()) };
             }
+            self.follow(modes, z);
         }
     }
 
@@ -262,6 +291,29 @@ impl Machine {
                 break;
             }
         }
+        // The friction under the impulses: it stops what slides, or is the coefficient times the impulse.
+        let under: Vec<(usize, f64)> = (0..self.rubs.len())
+            .filter_map(|i| {
+                let wall = self.wall_above(i)?;
+                let normal = all.iter().position(|&i| i == wall).map(|k| impulse[k])?;
+                Some((i, self.rubs[i].friction * normal))
+            })
+            .collect();
+        let mut friction = vec![0.0; under.len()];
+        for _ in 0..4000 {
+            let mut change: f64 = 0.0;
+            for (k, &(i, most)) in under.iter().enumerate() {
+                let own = dot(self.b(i), &self.response(self.b(i)));
+                let new = (friction[k] + self.velocity(i, z) / own).clamp(-most, most);
+                let by = new - friction[k];
+                friction[k] = new;
+                change = change.max(by.abs());
+                self.without(i, &mut z[self.n..], by * own);
+            }
+            if change < 1e-15 {
+                break;
+            }
+        }
         for (k, &i) in all.iter().enumerate() {
             let Some(wall) = self.wall(i) else { continue };
             let over = dot(&wall.b, &z[..self.n]) - wall.gap;
@@ -276,6 +328,7 @@ impl Machine {
             let v = self.velocity(i, z);
             *mode = if v.abs() > 1e-9 { Mode::Slides(v.signum()) } else { Mode::Rests };
         }
+        self.follow(modes, z);
         for (i, mode) in modes.iter().enumerate() {
             if *mode == Mode::Rests {
                 let v = self.velocity(i, z);
@@ -293,6 +346,7 @@ impl Machine {
             v => Mode::Slides(v.signum()),
         };
         let mut modes: Vec<Mode> = (0..self.count()).map(first).collect();
+        self.follow(&mut modes, start);
         self.settle(&mut modes, 0.0, &z);
         let (mut t, mut events) = (0.0, Vec::new());
         // Short steps after an event, so that a short flight is not passed over.
@@ -331,7 +385,8 @@ impl Machine {
             let before = modes.clone();
             (t, z) = (t + at, after);
             longest = 1e-6;
-            let hit: Vec<usize> = fired.iter().copied().filter(|&i| before[i] == Mode::Away).collect();
+            let hit = fired.iter().copied().filter(|&i| before[i] == Mode::Away && self.wall(i).is_some());
+            let hit: Vec<usize> = hit.collect();
             for &i in fired.iter().filter(|&&i| matches!(before[i], Mode::Slides(_))) {
                 let v = self.velocity(i, &z);
                 self.without(i, &mut z[self.n..], v);
@@ -346,8 +401,8 @@ impl Machine {
                     (Mode::Slides(_), Mode::Rests) => EventKind::Stick,
                     (Mode::Rests, Mode::Slides(_)) => EventKind::Slip,
                     (Mode::Slides(a), Mode::Slides(b)) if a != b && hit.is_empty() => EventKind::Reverse,
-                    (Mode::Away, Mode::Rests) => EventKind::Close,
-                    (Mode::Rests, Mode::Away) => EventKind::Open,
+                    (Mode::Away, Mode::Rests | Mode::Slides(_)) => EventKind::Close,
+                    (Mode::Rests | Mode::Slides(_), Mode::Away) => EventKind::Open,
                     _ => continue,
                 };
                 events.push(Kept { time: t, element, kind, speed: 0.0 });

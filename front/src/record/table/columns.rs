@@ -81,6 +81,9 @@ fn load(
     known: &Known,
 ) -> Result<usize, String> {
     let file = options.name;
+    if let (None, Some(kind)) = (options.column, options.quantity) {
+        return of_quantity(names, time, kind, options);
+    }
     let is_load = |place: usize, name: &Name| {
         Some(place) != time && (name.is_load() || (known.unit.is_some() && name.role != Role::Time))
     };
@@ -129,6 +132,38 @@ fn load(
     }
 }
 
+/// The only column with a unit of a quantity, or else of its name, or else beside the time.
+fn of_quantity(
+    names: &[Name],
+    time: Option<usize>,
+    kind: Kind,
+    options: &Options<'_>,
+) -> Result<usize, String> {
+    let all = || names.iter().enumerate().filter(|(place, name)| Some(*place) != time && !name.is_remark());
+    let places = |is: &dyn Fn(&Name) -> bool| -> Vec<usize> {
+        all().filter(|(_, name)| is(name)).map(|(place, _)| place).collect()
+    };
+    let found = [
+        places(&|name| name.is_in_unit_of(kind)),
+        places(&|name| name.is_named_as(kind)),
+        places(&|name| name.role == Role::Other && name.unit.is_none()),
+    ];
+    let found = found.into_iter().find(|places| !places.is_empty()).unwrap_or_default();
+    match found.as_slice() {
+        [one] => Ok(*one),
+        [] => {
+            let (due, file) = (kind.expected(), options.name);
+            Err(format!("{file}: has no column of {due}: {}", listed(names, 0..names.len())))
+        }
+        many => Err(format!(
+            "{}: has the columns {}. Choose one by {}",
+            options.name,
+            listed(names, many.iter().copied()),
+            options.words.column
+        )),
+    }
+}
+
 /// The columns of a table with names.
 pub(super) fn named(
     names: &[Name],
@@ -154,6 +189,12 @@ pub(super) fn named(
         return Err(format!("{at}: must be a load, and its unit is that of a mass"));
     }
     let kind = of_role.map(|(_, kind, _)| kind);
+    if let (Some(due), Some(own)) = (options.quantity, kind)
+        && due != own
+    {
+        return Err(format!("{at}: must be {}", due.expected()));
+    }
+    let kind = kind.or(options.quantity);
     let unit = match (&known.unit, &name.unit, options.units) {
         (Some(unit), ..) => Some(unit.clone()),
         (None, Some(_), Some(typed)) => {
@@ -165,7 +206,7 @@ pub(super) fn named(
         (None, Some(unit), None) => Some(options.named_unit(&at, Some(unit), kind)?),
         (None, None, Some(typed)) => Some(options.named_unit(options.words.units, Some(typed), kind)?),
         (None, None, None) if options.sensitivity().is_some() => Some(options.named_unit(&at, None, kind)?),
-        (None, None, None) if of_role.is_none() => {
+        (None, None, None) if kind.is_none() => {
             return Err(format!("{at}: has no unit. Give it by {}, such as g", options.words.units));
         }
         (None, None, None) => None,
@@ -242,17 +283,19 @@ pub(super) fn unnamed(
             }
         });
     }
-    let unit = match &known.unit {
-        Some(unit) => unit.clone(),
-        None => options.unit(None, None)?,
+    let unit = match (&known.unit, options.quantity) {
+        (Some(unit), _) => Some(unit.clone()),
+        // Bare numbers are in the system of the reader.
+        (None, Some(_)) if options.units.is_none() => None,
+        (None, _) => Some(options.unit(None, None)?),
     };
     let channel = options.column.map(|column| format!("column {}", column.trim()));
     Ok(Columns {
         time,
         load,
-        excitation: unit.excitation(),
-        kind: unit.kind,
-        unit: Some(unit),
+        excitation: unit.as_ref().map_or(Excitation::FootMotion, Unit::excitation),
+        kind: unit.as_ref().map(|unit| unit.kind).or(options.quantity).unwrap_or(Kind::Acceleration),
+        unit,
         second: None,
         channel: channel.filter(|_| !all),
         unused: Vec::new(),

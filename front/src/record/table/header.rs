@@ -142,16 +142,30 @@ impl Name {
 
     /// Whether the column may be a load: by its name, or by its unit.
     pub(super) fn is_load(&self) -> bool {
-        let is_of = |kind: Kind| {
-            let reader = Reader::new(None, "");
-            let unit = self.unit.as_ref().map(|unit| text::unit(unit));
-            unit.is_some_and(|unit| reader.factor_of_column("", &unit, kind).is_ok())
-        };
         match self.role {
             Role::Load(_) => true,
             Role::Time => false,
-            Role::Other => is_of(Kind::Acceleration) || is_of(Kind::Force),
+            Role::Other => self.is_in_unit_of(Kind::Acceleration) || self.is_in_unit_of(Kind::Force),
         }
+    }
+
+    /// Whether the column has a unit of this kind.
+    pub(super) fn is_in_unit_of(&self, kind: Kind) -> bool {
+        let reader = Reader::new(None, "");
+        let unit = self.unit.as_ref().map(|unit| text::unit(unit));
+        unit.is_some_and(|unit| reader.factor_of_column("", &unit, kind).is_ok())
+    }
+
+    /// Whether the name is one of a displacement or a velocity.
+    pub(super) fn is_named_as(&self, kind: Kind) -> bool {
+        let names: &[&str] = match kind {
+            Kind::Length => {
+                &["displacement", "foot-displacement", "damped-foot-displacement", "disp", "x", "u"]
+            }
+            Kind::Velocity => &["velocity", "vel", "v", "speed"],
+            _ => &[],
+        };
+        names.contains(&self.own.to_lowercase().replace(['_', ' '], "-").as_str())
     }
 
     /// Whether this is the name of a column that was asked for: with or without its unit, and of “Latest: Force” the last

@@ -1,0 +1,151 @@
+//! A record that repeats itself, of one body: beside the same machine as a system, beside many cycles of the record in a row, which other
+//! code follows, and by hand.
+
+use crate::command_line::{json, refused, stdout};
+use crate::place::{Place, place};
+use serde_json::Value;
+
+/// A folder with a cycle of a load, and with 120 of them in a row.
+fn cycles(name: &str, header: &str, cycle: &[(f64, f64)]) -> (Place, [String; 2]) {
+    let folder = place(name);
+    std::fs::create_dir(&*folder).unwrap();
+    let length = cycle.last().unwrap().0;
+    let row = |(t, x): (f64, f64)| format!("{t},{x}\n");
+    let one: String = cycle.iter().map(|point| row(*point)).collect();
+    let joined =
+        |i: u32| cycle.iter().map(move |(t, x)| (f64::from(i) * length + t, *x)).skip(usize::from(i > 0));
+    let many: String = (0..120).flat_map(joined).map(row).collect();
+    let files = [("cycle.csv", one), ("many.csv", many)].map(|(name, rows)| {
+        let path = folder.join(name);
+        std::fs::write(&path, format!("time[s],{header}\n{rows}")).unwrap();
+        path.display().to_string()
+    });
+    (folder, files)
+}
+
+/// Fails where two numbers differ by more than a bound.
+#[track_caller]
+fn agree(ours: f64, other: f64, bound: f64) {
+    assert!((ours - other).abs() <= bound, "{ours} for {other}, beyond {bound:e}");
+}
+
+fn number(answer: &Value, name: &str) -> f64 {
+    answer[name][0].as_f64().unwrap_or_else(|| panic!("{name}: {answer}"))
+}
+
+/// The last of 120 cycles has the extremes of the steady motion: of a body on a spring with two frictions, a damper, static friction and
+/// a constant force under a force, an acceleration, and a support with and without the damper.
+#[test]
+fn many_cycles_lead_to_it() {
+    let cycle = [(0.0, 0.0), (0.4, 3.0), (0.7, 2.0), (1.1, -3.5), (1.4, -1.0), (1.6, 0.0)];
+    let machine = "--units N,m --mass 2 --stiffness 9 --friction 1.3 --friction-backward 0.8 --static-friction-ratio 1.2 --damping 0.7 \
+                   --mean-force 0.4";
+    let headers = ["force[N]", "acceleration[m/s^2]", "foot-displacement[m]", "damped-foot-displacement[m]"];
+    for (place, header) in headers.into_iter().enumerate() {
+        let (folder, [one, many]) = cycles(&format!("repeats_{place}"), header, &cycle);
+        let steady = json(&format!("record {one} {machine} --repeats --format json"));
+        assert_eq!((&steady["kind"], &steady["record"]["after"]), (&"periodic".into(), &"repeats".into()));
+        assert!((steady["period"].as_f64().unwrap() - 1.6).abs() < 1e-12, "{steady}");
+        let states = folder.join("states.csv").display().to_string();
+        stdout(&format!("record {many} {machine} --out {states} --interval 0.001 --format json"));
+        let rows = std::fs::read_to_string(&states).unwrap();
+        let columns = |row: &str| -> Vec<f64> { row.split(',').map(|cell| cell.parse().unwrap()).collect() };
+        let last: Vec<Vec<f64>> = rows
+            .lines()
+            .skip(1)
+            .map(columns)
+            .filter(|row| (119.0 * 1.6..=120.0 * 1.6).contains(&row[0]))
+            .collect();
+        assert!(last.len() > 1000, "{}", last.len());
+        let most = |column: usize, sign: f64| {
+            sign * last.iter().map(|row| sign * row[column]).fold(f64::NEG_INFINITY, f64::max)
+        };
+        // The states have each turn of the displacement; the greatest velocities are between two of them.
+        for (name, column, sign, bound) in [
+            ("max_displacement", 1, 1.0, 1e-9),
+            ("min_displacement", 1, -1.0, 1e-9),
+            ("max_velocity", 2, 1.0, 1e-5),
+            ("min_velocity", 2, -1.0, 1e-5),
+        ] {
+            let (ours, other) = (number(&steady, name), most(column, sign));
+            assert!(other.abs() > 0.01 && (ours - other).abs() < bound, "{header}: {name} {ours} {other}");
+        }
+    }
+}
+
+/// The answer is that of a system with the same body, to the last digit.
+#[test]
+fn it_is_that_of_a_system() {
+    let cycle = [(0.0, 0.0), (0.2, 5.0), (0.5, -6.0), (0.8, 0.0)];
+    let (folder, [one, _]) = cycles("repeats_system", "acceleration[m/s^2]", &cycle);
+    let file = folder.join("machine.toml");
+    let text = "units = \"N,m\"\nmasses = { body = 2 }\n[[springs]]\nbetween = [\"ground\", \"body\"]\nstiffness = 30\n[[springs]]\nbetween = \
+                [\"ground\", \"body\"]\ndamping = 0.5\n[[contacts]]\nname = \"surface\"\nbetween = [\"ground\", \"body\"]\nfriction = 4\n\
+                [base]\nacceleration = { file = \"cycle.csv\", repeats = true }\n";
+    std::fs::write(&file, text).unwrap();
+    let system = json(&format!("system {} steady --format json", file.display()));
+    let mut own = json(&format!(
+        "record {one} --units N,m --mass 2 --stiffness 30 --damping 0.5 --friction 4 --repeats --format json"
+    ));
+    assert_eq!(own["record"]["samples"], 4, "{own}");
+    own.as_object_mut().unwrap().remove("record");
+    assert_eq!(own, system);
+    let text = stdout(&format!("record {one} --mass 2kg --stiffness 30N/m --friction 4N --repeats"));
+    assert!(text.contains("It repeats itself.") && text.contains("Periodic"), "{text}");
+}
+
+/// A track that jerks, as by hand: 0.9 g for 0.02 s against a friction of 0.5 g, then 0.3 g with it. With a slope the friction is that of
+/// the force across, and gravity pulls along: the part goes on where both frictions are the greater ones.
+#[test]
+fn a_track_that_jerks_carries_its_part() {
+    const G: f64 = 9.80665;
+    let cycle = [(0.0, 0.3), (0.06, 0.3), (0.06, -0.9), (0.08, -0.9)];
+    let (_folder, [one, _]) = cycles("repeats_jerk", "acceleration[g]", &cycle);
+    let drift = |options: &str| {
+        let found = json(&format!("record {one} --mass 1kg --no-spring {options} --repeats --format json"));
+        assert_eq!(found["kind"], "periodic", "{found}");
+        (number(&found, "drift"), found)
+    };
+    let by_hand = |against: f64, with: f64| {
+        let speed = against * G * 0.02;
+        speed * speed / 2.0 * (1.0 / (against * G) + 1.0 / (with * G))
+    };
+    let (flat, _) = drift("--friction-coefficient 0.5");
+    agree(flat, by_hand(0.4, 0.8), 1e-12);
+    let angle = 2.0_f64.to_radians();
+    let (sin, cos) = angle.sin_cos();
+    let (down, _) = drift("--friction-coefficient 0.5 --slope 2deg");
+    agree(down, by_hand(0.9 + sin - 0.5 * cos, 0.3 - sin + 0.5 * cos), 1e-11);
+    // The friction of the direction in which the part slides takes up its work.
+    let (two, found) = drift("--friction 4N --friction-backward 6N");
+    let forward = 4.0 / G;
+    agree(two, by_hand(0.9 - forward, 0.3 + forward), 1e-11);
+    let work = found["elements"][0]["work"].as_f64().unwrap();
+    agree(work, 4.0 * two, 1e-11);
+    let note = crate::command_line::stickslip(&format!(
+        "record {one} --no-spring --friction-coefficient 0.5 --repeats"
+    ));
+    let mut note = note;
+    let said = String::from_utf8(note.assert().success().get_output().stderr.clone()).unwrap();
+    assert!(said.contains("--mass is left out"), "{said}");
+}
+
+#[test]
+fn what_it_does_not_have_is_refused() {
+    let (_folder, [one, _]) =
+        cycles("repeats_refused", "damped-foot-displacement[m]", &[(0.0, 0.0), (1.0, 2.0), (2.0, 1.0)]);
+    let machine =
+        format!("record {one} --units N,m --mass 2 --stiffness 9 --friction 1 --damping 1 --repeats");
+    refused(&machine, &[&one, "must end with its first value where it repeats itself"]);
+    for option in
+        ["--after hold", "--both-polarities", "--enclose", "--one-way", "--out x.csv", "--floor-spectrum 1s"]
+    {
+        let name = option.split(' ').next().unwrap();
+        refused(&format!("{machine} {option}"), &[name]);
+    }
+    refused(&format!("{machine} --bits 64"), &["--bits 64: must be"]);
+    refused(
+        &format!("record {one} --units N,mm,g --mass 2 --stiffness 9 --friction 1 --repeats"),
+        &["--units"],
+    );
+}
