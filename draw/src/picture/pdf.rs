@@ -4,11 +4,11 @@
 //! used here are few: PDF 32000-1:2008, 7.5 (the file), 8.5 (paths), 8.4 (line styles), 9.4 (texts).
 
 mod letters;
+mod objects;
 
 use super::png::tree;
-use flate2::Compression;
-use flate2::write::ZlibEncoder;
 use letters::Letters;
+use objects::{number, packed};
 use resvg::tiny_skia::{PathSegment, Transform};
 use resvg::usvg::{Color, FillRule, Group, LineCap, LineJoin, Node, Paint, Path, Stroke, Text};
 use std::fmt::Write as _;
@@ -155,25 +155,6 @@ fn line(content: &mut String, numbers: &[f32], operator: &str) {
     }
     content.push_str(operator);
     content.push('\n');
-}
-
-/// A number to a thousandth of its unit, without an exponent, which PDF does not know.
-fn number(value: f32) -> String {
-    let text = format!("{value:.3}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text.is_empty() || text == "-0" { "0".to_owned() } else { text.to_owned() }
-}
-
-/// A stream of bytes as an object, with further entries.
-fn packed(content: &[u8], entries: &str) -> io::Result<Vec<u8>> {
-    let mut packed = ZlibEncoder::new(Vec::new(), Compression::default());
-    packed.write_all(content)?;
-    let packed = packed.finish()?;
-    let mut object =
-        format!("<</Length {}/Filter/FlateDecode{entries}>>\nstream\n", packed.len()).into_bytes();
-    object.extend(packed);
-    object.extend(b"\nendstream");
-    Ok(object)
 }
 
 /// The file of a page: its objects, the table of their places, and where that table is.

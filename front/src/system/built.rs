@@ -1,6 +1,6 @@
 //! A described system with its motions.
 
-use super::described::Described;
+use super::described::{Described, samples};
 use super::laws::set_points;
 use super::node::nearest;
 use super::{file, named};
@@ -225,13 +225,6 @@ impl NamedSystem {
         let steps = if steps == MOST_STEPS { "10⁶".to_owned() } else { steps.to_string() };
         Err(format!("{typed}: must be ≤ {most}{unit}, {steps} steps of the fastest motion"))
     }
-}
-
-/// The samples of a record without a force.
-pub(super) fn samples(record: &Record<f64>, beyond: Beyond) -> Samples<f64> {
-    let values = record.samples().to_vec();
-    let times = (0..values.len()).map(|i| record.time(i)).collect();
-    Samples { times, values, force: Vec::new(), beyond }
 }
 
 /// The angular frequency of a record that repeats itself.

@@ -3,7 +3,8 @@
 use super::laws::Law as Curved;
 use super::node::{Fields, Node};
 use crate::inputs::units::System as Units;
-use stickslip::system::{Base, Error, Law, Model, Record, Signal, State, System};
+use stickslip::motion::record::Record as Measured;
+use stickslip::system::{Base, Beyond, Error, Law, Model, Record, Signal, State, System};
 
 /// The greatest number of coordinates: the matrices are dense.
 pub(super) const MOST_COORDINATES: usize = 200;
@@ -145,4 +146,11 @@ pub(super) fn pairs(
         _ => Err(node.wrong("must be a pair of a speed, of a spring a displacement, and a force")),
     };
     node.list()?.iter().map(pair).collect()
+}
+
+/// The samples of a record without a force.
+pub(super) fn samples(record: &Measured<f64>, beyond: Beyond) -> Record<f64> {
+    let values = record.samples().to_vec();
+    let times = (0..values.len()).map(|i| record.time(i)).collect();
+    Record { times, values, force: Vec::new(), beyond }
 }

@@ -3,7 +3,8 @@
 //! The friction of a system is the mean of both directions, and half their difference a constant force. That force is the friction's in
 //! the works of the answer.
 
-use super::built::{NamedSystem, samples};
+use super::built::NamedSystem;
+use super::described::samples;
 use super::signals::slopes_of;
 use super::tabled::Why;
 use crate::inputs::units::System as Units;

@@ -1,8 +1,7 @@
 //! Quantities over time: constants, waves, shapes by name, sweeps and records, alone or in a sum.
 
 use super::builder::Builder;
-use super::built::samples;
-use super::described::{MOST_FREQUENCIES, MOST_RECORDS, MOST_SAMPLES};
+use super::described::{MOST_FREQUENCIES, MOST_RECORDS, MOST_SAMPLES, samples};
 use super::node::{Fields, Node, nearest};
 use crate::inputs::units::Kind as Of;
 use crate::record::{self, Options, Words};

@@ -2,7 +2,7 @@
 //!
 //! PDF 32000-1:2008, 9.4 (text), 9.7 (composite fonts), 9.9 (font programs), 9.10.3 (from glyphs to Unicode).
 
-use super::{number, packed};
+use super::objects::{number, packed};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::io;
