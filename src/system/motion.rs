@@ -82,6 +82,8 @@ pub(crate) struct Observer<F> {
     sides: Sides,
     pub(crate) events: Vec<Event<F>>,
     at_rest: Vec<Sum<F>>,
+    /// Of each element, whether it has just closed, and how often it was at rest at once when it closed.
+    closed: Vec<(bool, usize)>,
     work: Vec<F>,
     reach: Vec<F>,
     load_work: F,
@@ -115,6 +117,7 @@ impl<F: Float> Observer<F> {
             sides: Sides::new(system),
             events: Vec::new(),
             at_rest: vec![Sum::at(zero); system.parts.len()],
+            closed: vec![(false, 0); system.parts.len()],
             work: vec![zero; system.parts.len()],
             reach: vec![zero; system.parts.len()],
             load_work: zero,
@@ -157,7 +160,8 @@ impl<F: Float> Observer<F> {
                 EventKind::Yield | EventKind::Close | EventKind::Rise | EventKind::Fall => false,
                 EventKind::Blow => false,
             };
-            self.events.iter().filter(|e| e.element == element && begins(e.kind)).count()
+            let begun = self.events.iter().filter(|e| e.element == element && begins(e.kind)).count();
+            begun + self.closed.get(element).map_or(0, |closed| closed.1)
         };
         let elements = system
             .parts
@@ -381,10 +385,14 @@ fn shares<F: Float>(count: usize) -> Matrix<F> {
 impl<F: Float> Watch<F> for Observer<F> {
     fn stretch(&mut self, system: &Assembly<F>, stretch: &Stretch<'_, F>) {
         let &Stretch { branch, from, to, time, .. } = stretch;
-        for (mode, at_rest) in branch.modes.iter().zip(&mut self.at_rest) {
+        for ((mode, at_rest), (closed, caught)) in
+            branch.modes.iter().zip(&mut self.at_rest).zip(&mut self.closed)
+        {
             if matches!(mode, Mode::Stuck | Mode::Holds | Mode::Away) {
                 at_rest.add(time);
             }
+            *caught += usize::from(*closed && matches!(mode, Mode::Stuck | Mode::Holds));
+            *closed = false;
         }
         branch.taylor(from, time, &mut self.terms);
         self.sides.pass(system, stretch, &self.terms, &mut self.events);
@@ -398,6 +406,9 @@ impl<F: Float> Watch<F> for Observer<F> {
     }
 
     fn event(&mut self, event: Event<F>) {
+        if let Some((closed, _)) = self.closed.get_mut(event.element) {
+            *closed = event.kind == EventKind::Close;
+        }
         self.events.push(event);
     }
 

@@ -58,6 +58,10 @@ fn a_block_thrown_along_the_floor_slows_down_with_the_blows() {
     let motion = System::new(&block(m, elements)).unwrap().simulate(&start, 6.0).unwrap();
     assert!((motion.end.displacement[0] - 1.5 * v / g).abs() < 1e-13);
     assert!((motion.elements[1].work / (m * 1.5 * 1.5 / 2.0) - 1.0).abs() < 1e-13);
+    // The end of the blows, with nothing left to slide, begins a rest.
+    let rests = v / g + 2.0 * 0.5 * v / (g * 0.5);
+    let rest = &motion.elements[1];
+    assert!(rest.stops == 1 && (rest.time_at_rest - (6.0 - rests)).abs() < 1e-12, "{rest:?} {rests}");
 }
 
 /// On a floor in touch the friction is the coefficient times what presses: it holds a pull up to µ' N, where N falls with the lift.
