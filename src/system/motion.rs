@@ -82,8 +82,8 @@ pub(crate) struct Observer<F> {
     sides: Sides,
     pub(crate) events: Vec<Event<F>>,
     at_rest: Vec<Sum<F>>,
-    /// Of each element, whether it has just closed, and how often it was at rest at once when it closed.
-    closed: Vec<(bool, usize)>,
+    /// Of each element, when it has just closed or stuck, and how often it was at rest at once when it closed.
+    closed: Vec<(Option<(EventKind, F)>, usize)>,
     work: Vec<F>,
     reach: Vec<F>,
     load_work: F,
@@ -117,7 +117,7 @@ impl<F: Float> Observer<F> {
             sides: Sides::new(system),
             events: Vec::new(),
             at_rest: vec![Sum::at(zero); system.parts.len()],
-            closed: vec![(false, 0); system.parts.len()],
+            closed: vec![(None, 0); system.parts.len()],
             work: vec![zero; system.parts.len()],
             reach: vec![zero; system.parts.len()],
             load_work: zero,
@@ -384,15 +384,20 @@ fn shares<F: Float>(count: usize) -> Matrix<F> {
 
 impl<F: Float> Watch<F> for Observer<F> {
     fn stretch(&mut self, system: &Assembly<F>, stretch: &Stretch<'_, F>) {
-        let &Stretch { branch, from, to, time, .. } = stretch;
+        let &Stretch { branch, from, to, time, at, .. } = stretch;
         for ((mode, at_rest), (closed, caught)) in
             branch.modes.iter().zip(&mut self.at_rest).zip(&mut self.closed)
         {
             if matches!(mode, Mode::Stuck | Mode::Holds | Mode::Away) {
                 at_rest.add(time);
             }
-            *caught += usize::from(*closed && matches!(mode, Mode::Stuck | Mode::Holds));
-            *closed = false;
+            if let Some((kind, instant)) = closed.take()
+                && matches!(mode, Mode::Stuck | Mode::Holds)
+            {
+                *caught += usize::from(kind == EventKind::Close);
+                // Ever smaller blows take some time yet.
+                at_rest.add(at - instant);
+            }
         }
         branch.taylor(from, time, &mut self.terms);
         self.sides.pass(system, stretch, &self.terms, &mut self.events);
@@ -407,7 +412,8 @@ impl<F: Float> Watch<F> for Observer<F> {
 
     fn event(&mut self, event: Event<F>) {
         if let Some((closed, _)) = self.closed.get_mut(event.element) {
-            *closed = event.kind == EventKind::Close;
+            let begins = matches!(event.kind, EventKind::Close | EventKind::Stick);
+            *closed = begins.then_some((event.kind, event.time));
         }
         self.events.push(event);
     }
