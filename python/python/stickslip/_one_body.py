@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Mapping, Union
+from typing import Any, Callable, Mapping, Union
 
 import numpy as np
 
@@ -15,7 +15,7 @@ from ._result import one
 from ._system import System
 
 #: The force on a body for a unit of a record, by its mass and its stiffness.
-_FORCES = {
+_FORCES: Mapping[str, Callable[[float, float], float]] = {
     "force": lambda mass, stiffness: 1.0,
     "base_acceleration": lambda mass, stiffness: -mass,
     "foot_displacement": lambda mass, stiffness: stiffness,
