@@ -68,9 +68,8 @@ pub(super) struct Following<'a, F> {
 struct Disturbance<F> {
     /// None before the first period that it is followed in, and after one that ended it.
     now: Option<Vec<F>>,
-    /// The logarithms of what it is divided by, of the smallest size that it had, and of the greatest factor by which it grew.
-    scale: f64,
-    smallest: f64,
+    /// By how much it has grown since it was smallest, and the greatest such factor.
+    grown: f64,
     growth: f64,
 }
 
@@ -78,19 +77,22 @@ impl<F: Float> Disturbance<F> {
     /// The periods before it is followed: within them rounding stays far below the motion, and most motions have settled.
     const FROM: usize = 8;
 
-    const NONE: Self = Self { now: None, scale: 0.0, smallest: f64::INFINITY, growth: 0.0 };
+    const NONE: Self = Self { now: None, grown: 1.0, growth: 1.0 };
 
     /// After a period, with what the map's derivative has made of it.
     fn advance(&mut self, map: &PeriodMap<'_, F>, sizes: &[F; 3], to: Vec<F>) {
-        let by = map.scaled(to.clone(), sizes).iter().fold(0.0, |sum: f64, x| sum.hypot(x.to_f64()));
+        let square = |sum: F, x: F| sum + x * x;
+        let by = map.scaled(to.clone(), sizes).into_iter().fold(F::int(0), square).sqrt().to_f64();
         if !(by > 0.0 && by.is_finite()) {
             // Contacts at rest have ended it: errors begin anew.
             *self = Self { growth: self.growth, ..Self::NONE };
             return;
         }
-        self.scale += by.ln();
-        self.smallest = self.smallest.min(self.scale);
-        self.growth = self.growth.max(self.scale - self.smallest);
+        if self.now.is_some() {
+            let most = 1.0 / F::epsilon().to_f64();
+            self.grown = (self.grown * by).clamp(1.0, most);
+            self.growth = self.growth.max(self.grown);
+        }
         let inverse = F::from_f64(1.0 / by);
         self.now = Some(to.into_iter().map(|x| x * inverse).collect());
     }
@@ -328,7 +330,7 @@ impl<'a, F: Float> Following<'a, F> {
             change: F::int(0),
             decay: F::int(0),
             followed: self.followed,
-            disturbance_growth: self.disturbance.growth.exp().min(1.0 / F::epsilon().to_f64()),
+            disturbance_growth: self.disturbance.growth,
         }
     }
 
