@@ -81,7 +81,8 @@ test("two masses are those of the command", (t) => {
         Object.values(columns).forEach((list, k) => assert.deepEqual(list, rows.slice(1).map((row) => Number(row[k])), text));
         sampled.set(force, (sampled.get(force) || 0) + 1);
       }
-      assert.ok(run(["system", file, "steady"]).startsWith(found.verdict), found.verdict);
+      // The command begins a line with what is known of the digits.
+      assert.ok(run(["system", file, "steady"]).replace("\n", " ").startsWith(found.verdict), found.verdict);
       const border = run(["system", file, "border", "--format", "json"]);
       if (found.border === null) assert.ok(border.startsWith("error"), border);
       else {
