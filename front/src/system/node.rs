@@ -102,6 +102,17 @@ impl<'a> Node<'a> {
         if value.is_finite() { Ok(value) } else { Err(self.wrong("must be finite")) }
     }
 
+    /// A quantity where a quantity over time may be, too: the name of a file is met by the table of a record.
+    pub(super) fn constant(&self, kind: Kind) -> Result<f64, String> {
+        let is_name = |text: &&str| {
+            text.contains('.') && !text.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c))
+        };
+        self.quantity(kind).map_err(|error| match self.value.as_str().map(str::trim).filter(is_name) {
+            Some(file) => format!("{error}. A record is a table, {{ file = \"{file}\" }}"),
+            None => error,
+        })
+    }
+
     /// The value of this place, if it is not below a number.
     pub(super) fn at_least(&self, value: f64, least: f64) -> Result<f64, String> {
         if value >= least { Ok(value) } else { Err(self.wrong(&format!("must be ≥ {least}"))) }

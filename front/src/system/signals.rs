@@ -77,7 +77,7 @@ impl Builder<'_> {
             return Ok(sum);
         }
         if !node.value().is_object() {
-            return Ok(Signal::constant(node.quantity(kind)?));
+            return Ok(Signal::constant(node.constant(kind)?));
         }
         let fields = node.fields()?;
         let found = self.signal_of(&fields, kind, &[])?;
