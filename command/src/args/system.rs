@@ -125,6 +125,9 @@ pub(crate) struct SystemArgs {
     /// text or json, csv or json for --samples, csv, jsonl or json for a grid [default: text, and csv for rows]
     #[arg(long, value_enum, hide_possible_values = true)]
     pub(crate) format: Option<Format>,
+    /// Bits of precision, with steady, simulate, record, curve and border (needs a build with the feature mp)
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = super::bits)]
+    pub(crate) bits: Option<u32>,
     #[command(flatten)]
     pub(crate) units: UnitArgs,
 }
