@@ -215,10 +215,35 @@ fn by_matrices<F: Number>(fields: &Fields<'_>, units: Option<Units>) -> Result<D
         // A case may say where it comes from, and what is to be computed.
         let _ = fields.get(name);
     }
+    let coordinates = coordinates(fields, n, &model.elements)?;
     fields.end()?;
     let inertia = model.mass.iter().map(|row| -row.iter().fold(zero, |sum, &x| sum + x)).collect();
-    let coordinates = (1..=n).map(|i| format!("q{i}")).collect();
     Described { model, coordinates, units, start, inertia, base: None, laws }.checked()
+}
+
+/// The names of the coordinates of matrices, q1, q2 and so on by default. Answers and elements are told apart by them.
+fn coordinates<F: Number>(
+    fields: &Fields<'_>,
+    n: usize,
+    elements: &[Element<F>],
+) -> Result<Vec<String>, String> {
+    let Some(node) = fields.get("coordinates") else { return Ok((1..=n).map(|i| format!("q{i}")).collect()) };
+    let given = node.list()?;
+    if given.len() != n {
+        return Err(format!("coordinates: has {} names, must have {n}", given.len()));
+    }
+    let mut names: Vec<String> = Vec::with_capacity(n);
+    for node in given {
+        let name = node.name()?;
+        if name == named::GROUND {
+            return Err(node.wrong("must have another name: the ground does not move"));
+        }
+        if names.iter().chain(elements.iter().map(|element| &element.name)).any(|other| other == name) {
+            return Err(node.wrong("is used twice"));
+        }
+        names.push(name.to_owned());
+    }
+    Ok(names)
 }
 
 /// `{"const", "sin", "cos"}`: a constant and the parts at each frequency.

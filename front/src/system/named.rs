@@ -16,7 +16,7 @@ use std::path::Path;
 use stickslip::system::{Base, Element, Kind, Law, Level, Model, Moved, MovedBy, Normal, Signal, State};
 
 /// The name of the ground.
-const GROUND: &str = "ground";
+pub(super) const GROUND: &str = "ground";
 
 /// The system of a file of named bodies.
 pub(super) fn described<F: Number>(
