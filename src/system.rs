@@ -239,10 +239,6 @@ impl<F: Float> System<F> {
             let condition = "must repeat themselves: a steady motion has the period of a load";
             return Err(Error::Unsupported { name: "records".into(), condition });
         }
-        if !Drift::new(&self.assembly).carries(&self.assembly) {
-            let condition = "must come back, or take along what is on springs with it: prescribe its displacement, or its velocity";
-            return Err(Error::Unsupported { name: "moved".into(), condition });
-        }
         let records = self.assembly.records.iter().map(|record| F::int(2) * F::pi() / record.length());
         let frequencies: Vec<F> = self.assembly.frequencies.iter().copied().chain(records).collect();
         if frequencies.is_empty() {
@@ -250,6 +246,7 @@ impl<F: Float> System<F> {
             let mut frequencies = self.natural_frequencies(&[]);
             frequencies.extend(self.natural_frequencies(&all));
             let (longest, others) = self_excited::natural_periods(&frequencies, self.steps_per_time());
+            self.check_carried(longest)?;
             return self_excited::self_excited(
                 &self.assembly,
                 longest,
@@ -258,6 +255,7 @@ impl<F: Float> System<F> {
             );
         }
         let period = forced::common_period(&frequencies)?;
+        self.check_carried(period)?;
         // The longest own vibration, free or with all elements at rest.
         let slowest = || {
             let all: Vec<usize> = (0..self.assembly.parts.len()).collect();
@@ -266,6 +264,15 @@ impl<F: Float> System<F> {
             own.reduce(|a, b| if b < a { b } else { a }).map(|omega| F::int(2) * F::pi() / omega)
         };
         forced::steady(&self.assembly, period, slowest, self.follower(start, period)?)
+    }
+
+    /// Refuses what is prescribed to travel and pulls on a spring for ever.
+    fn check_carried(&self, period: F) -> Result<(), Error> {
+        if Drift::new(&self.assembly, period).carries(&self.assembly) {
+            return Ok(());
+        }
+        let condition = "must come back, or take along what is on springs with it: prescribe its displacement, or its velocity";
+        Err(Error::Unsupported { name: "moved".into(), condition })
     }
 
     /// The least load at which the only contact never sticks, for a system with one contact and one harmonic load.
