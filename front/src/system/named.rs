@@ -349,7 +349,7 @@ impl<F: Number> Builder<'_, F> {
                 let normal = Some(self.normal(&load)?);
                 return Ok(Friction { law: Law::constant(coefficient), normal, is_curve: false });
             }
-            let friction = coefficient * load.at_least(load.constant(Of::Force)?, 0.0)?;
+            let friction = coefficient * load.at_least(load.constant(Of::Force)?, 0)?;
             return Ok(Friction { law: Law::constant(friction), normal: None, is_curve: false });
         }
         if let Some(load) = load {

@@ -115,7 +115,7 @@ impl<'a> Node<'a> {
     }
 
     /// A quantity where a quantity over time may be, too: the name of a file is met by the table of a record.
-    pub(super) fn constant(&self, kind: Kind) -> Result<f64, String> {
+    pub(super) fn constant<F: Number>(&self, kind: Kind) -> Result<F, String> {
         let is_name = |text: &&str| {
             text.contains('.') && !text.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c))
         };
