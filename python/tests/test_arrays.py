@@ -322,6 +322,13 @@ def test_the_formulae_of_the_help_are_those_of_the_answers():
                 assert found[name] == pytest.approx(value, rel=1e-11), name
 
 
+def test_an_array_of_one_machine_outside_the_domain_has_no_answer_as_any_other():
+    one = ss.Machine(mass=[-1.0], stiffness=800.0, friction=3.0)
+    drive = ss.Drive(force=9.0, frequency=3.0)
+    for found in (one.response(drive), one.steady(drive)):
+        assert found.regime.tolist() == ["invalid"] and np.isnan(found.max_displacement).tolist() == [True]
+
+
 def test_machines_in_parts_are_those_of_one_call(monkeypatch):
     mass, friction = np.linspace(1, 2, 1000), np.full(1000, 3.0)
     friction[950:] = 4.0

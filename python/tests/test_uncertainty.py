@@ -72,6 +72,8 @@ def test_many_draws_are_answered_in_pieces_with_the_same_numbers(monkeypatch, ex
         np.testing.assert_array_equal(found.answer.ratios[name], whole.answer.ratios[name], name)
     assert found.probability("sticking") == whole.probability("sticking") and found.mean("max_displacement") == whole.mean("max_displacement")
     assert np.isnan(found.answer.max_displacement[found.drawn["friction"] < 0]).all()
+    none = ss.monte_carlo(MACHINE, DRIVE, {"friction": np.full(1001, -1.0)}, draws=1001, seed=3, exact=exact, outputs=outputs)
+    assert none.invalid == 1001
     with pytest.raises(ValueError, match="read-only"):
         # What is computed later is of these draws.
         found.drawn["friction"][0] = 1.0

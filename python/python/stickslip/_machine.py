@@ -919,7 +919,7 @@ def _bodies(given: Mapping[str, Any], units: Optional[str]) -> tuple[dict[str, A
     single = {name: stand_in(parts[name][1], _any_of(numbered[name])) if name in numbered else value for name, value in given.items()}
     columns = [(name, np.ascontiguousarray(np.broadcast_to(array, shape)).reshape(-1)) for name, array in numbered.items()]
     # In parts, because all values of all bodies would take several times the memory of those that vary.
-    joined, failed = Joined(int(np.prod(shape))), {}
+    joined, failed = Joined(int(np.prod(shape))), dict[int, str]()
     for part in blocks(joined.n):
         cut = [(name, column[part]) for name, column in columns]
         found, reasons, system = _native.machines(texts(single), cut, part.stop - part.start, units)

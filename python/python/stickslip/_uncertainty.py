@@ -392,7 +392,7 @@ class _Pieces(NamedTuple):
 
     def __call__(self, names: tuple[str, ...]) -> dict[str, Any]:
         n = next(iter(self.drawn.values())).size
-        joined, words = Joined(n), {}
+        joined, words = Joined(n), dict[str, Sequence[str]]()
         for part in blocks(n):
             answer = self._of(part)
             answer = answer.ratios if self.is_in_ratios else answer
