@@ -12,6 +12,7 @@
 //! | `accuracy` | digits lost near Ω = 1 |
 //! | `multipliers` | the rate at which the motion settles |
 //! | `damping` | the effect of viscous damping |
+//! | `impacts` | blows at a rigid stop, whose period doubles |
 //! | `shared` | what several of them show |
 //!
 //! A figure is data first: [`Figure::write_csv`] writes the data that [`Figure::svg`] draws. The crate `stickslip-draw` draws it.
@@ -38,6 +39,7 @@ mod accuracy;
 mod border;
 mod damping;
 mod dissipation;
+mod impacts;
 mod multipliers;
 mod oscillator;
 mod portrait;
@@ -84,4 +86,5 @@ figures! {
     "multipliers" => multipliers::of_the_cycle,
     "poles" => border::beside_poles,
     "damping" => damping::four_ratios,
+    "impacts" => impacts::over_frequency,
 }

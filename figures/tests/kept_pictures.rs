@@ -119,6 +119,47 @@ fn the_measure_of_the_accuracy_is_named() {
     assert!(figure.panels.iter().all(|panel| panel.series.iter().any(|series| series.name == due)));
 }
 
+/// Below the frequency of −1, which Newton's method in another program has as 2.653347727855322, all blows have the velocity of the closed form,
+/// and the multipliers are its; above it two velocities take turns, and then many.
+#[test]
+fn the_period_of_the_impact_oscillator_doubles_where_the_multiplier_is_minus_one() {
+    let figure = figure("impacts").unwrap();
+    let [left, right] = &figure.panels[..] else { panic!("{figure:?}") };
+    let border = left.series[3].points[0].0;
+    assert!((border - 2.653_347_727_855_322).abs() < 1e-14, "{border}");
+    let stable = &left.series[1].points;
+    let mut close = 0;
+    for &(omega, speed) in left.series[0].points.iter().filter(|p| p.0 < border - 0.03) {
+        let after = stable.partition_point(|p| p.0 < omega).max(1);
+        let (a, b) = (stable[after - 1], stable[after]);
+        let line = a.1 + (b.1 - a.1) * (omega - a.0) / (b.0 - a.0);
+        // The chord of a step of 0.0025 is within 10⁻⁵ of the line.
+        assert!((speed - line).abs() < 2e-5, "{omega}: {speed} {line}");
+        close += 1;
+    }
+    assert!(close > 1000, "{close}");
+    let kinds = |low: f64, high: f64| {
+        let mut found: Vec<i64> = left.series[0]
+            .points
+            .iter()
+            .filter(|p| (low..high).contains(&p.0))
+            .map(|p| (p.1 * 1e3).round() as i64)
+            .collect();
+        found.sort_unstable();
+        found.dedup();
+        found.len()
+    };
+    assert!((2..=3).contains(&kinds(2.6765, 2.6768)), "{}", kinds(2.6765, 2.6768));
+    let of_form = &right.series[0].points;
+    assert!(right.series[1].points.len() == 9);
+    for &(omega, found) in &right.series[1].points {
+        let after = of_form.partition_point(|p| p.0 < omega).max(1);
+        let (a, b) = (of_form[after - 1], of_form[after]);
+        let line = a.1 + (b.1 - a.1) * (omega - a.0) / (b.0 - a.0);
+        assert!((found - line).abs() < 1e-4, "{omega}: {found} {line}");
+    }
+}
+
 #[test]
 fn figure_1_shows_the_law_and_a_motion_that_keeps_it() {
     let figure = figure("1").unwrap();

@@ -18,7 +18,7 @@ pub(crate) struct LookArgs {
 
 #[derive(Debug, Args)]
 #[command(after_help = "\
-Figures: 1, 2, 3, 4, 5, 6, 7, 8, 9a, 9b, 10a, 10b of the paper, and stops, portrait, accuracy, multipliers, poles, damping.
+Figures: 1, 2, 3, 4, 5, 6, 7, 8, 9a, 9b, 10a, 10b of the paper, and stops, portrait, accuracy, multipliers, poles, damping, impacts.
 SVG leaves the text to the viewer's own font. PNG and PDF need a build with the feature png.
 
 Examples:
