@@ -517,7 +517,7 @@ fn share<F: Float>(name: &str, value: F) -> Result<F, Error> {
 }
 
 /// The coordinates without mass that are not moved.
-fn massless<F: Float>(model: &Model<F>) -> Vec<usize> {
+pub(crate) fn massless<F: Float>(model: &Model<F>) -> Vec<usize> {
     let is_moved = |i: usize| model.moved.iter().any(|moved| moved.coordinate == i);
     let rows = model.mass.iter().enumerate();
     let light = rows.filter(|(i, row)| !is_moved(*i) && row.iter().all(|x| *x == F::int(0)));
@@ -645,7 +645,12 @@ fn check_record<F: Float>(name: &str, record: &Record<F>) -> Result<(), Error> {
 }
 
 /// A square matrix of finite numbers.
-fn square<F: Float>(name: &str, rows: &[Vec<F>], n: usize, symmetric: bool) -> Result<Matrix<F>, Error> {
+pub(crate) fn square<F: Float>(
+    name: &str,
+    rows: &[Vec<F>],
+    n: usize,
+    symmetric: bool,
+) -> Result<Matrix<F>, Error> {
     if rows.len() != n {
         return Err(Error::Length { name: name.to_string(), found: rows.len(), expected: n });
     }

@@ -43,6 +43,16 @@ pub enum Error {
         /// The right length.
         expected: usize,
     },
+    /// A list that is too long.
+    #[error("{name}: {found} of them, must be ≤ {most}")]
+    TooMany {
+        /// The name of the list.
+        name: String,
+        /// Its length.
+        found: usize,
+        /// The greatest length.
+        most: usize,
+    },
     /// A matrix that must be symmetric.
     #[error("{name}: entry ({row}, {column}) = {value} must equal entry ({column}, {row}) = {mirrored}")]
     NotSymmetric {

@@ -82,6 +82,11 @@ impl<F: Float> System<F> {
     }
 }
 
+/// Up to where the eigenvalue of a symmetric operator is 0: its rounding.
+pub(super) fn rounding_of<F: Float>(operator: &Matrix<F>) -> F {
+    operator.rows().flatten().fold(F::int(0), |sum, x| sum + x.abs()) * F::epsilon() * F::int(8)
+}
+
 /// The least frequencies of an operator.
 fn frequencies<F: Float>(operator: &Matrix<F>, count: usize) -> Vec<F> {
     let (zero, n) = (F::int(0), operator.columns());
@@ -89,7 +94,7 @@ fn frequencies<F: Float>(operator: &Matrix<F>, count: usize) -> Vec<F> {
     let is_symmetric = (0..n).all(|i| {
         (0..i).all(|j| (operator.at(i, j) - operator.at(j, i)).abs() <= most * F::epsilon() * F::int(64))
     });
-    let rounding = most * F::epsilon() * F::int(8);
+    let rounding = rounding_of(operator);
     if !is_symmetric {
         return unsymmetric(operator, count);
     }

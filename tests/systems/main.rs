@@ -11,6 +11,7 @@ mod base;
 mod cases;
 mod closed_form;
 mod clutches;
+mod damping;
 #[path = "../random/generator.rs"]
 mod generator;
 #[cfg(feature = "rayon")]

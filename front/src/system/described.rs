@@ -2,7 +2,7 @@
 
 use super::laws::Law as Curved;
 use super::node::{Fields, Node, Number};
-use crate::inputs::units::System as Units;
+use crate::inputs::units::{Kind as Of, Reader, System as Units};
 use stickslip::motion::record::Record as Measured;
 use stickslip::system::{Base, Beyond, Error, Law, Level, Model, Record, Signal, State, System};
 
@@ -103,6 +103,50 @@ impl<F: Number> Described<F> {
         }
         Ok(self)
     }
+}
+
+/// Adds damping by modes: `rayleigh`, two factors of the masses and of the stiffnesses, and `ratio`, one for all elastic modes or a list by
+/// mode, beside `others`, which are read elsewhere. The dampers of the model are there already.
+pub(super) fn damped<F: Number>(
+    mut model: Model<F>,
+    node: &Node<'_>,
+    others: &[&'static str],
+) -> Result<Model<F>, String> {
+    let fields = node.fields()?;
+    if ["rayleigh", "ratio"].iter().chain(others).all(|name| fields.get(name).is_none()) {
+        // A misspelt name says more than a missing one.
+        fields.end()?;
+        return Err(node.wrong("needs one of rayleigh and ratio"));
+    }
+    let about = |node: &Node<'_>, error: &Error| format!("{}: {error}", node.place());
+    if let Some(node) = fields.get("rayleigh") {
+        let list = node.list()?;
+        let [of_mass, of_stiffness] = list.as_slice() else {
+            return Err(node.wrong(
+                "must be two numbers, [a, b] of C = a M + b K: a in 1/s, and b in s or as a text with a unit",
+            ));
+        };
+        let has_unit = of_stiffness.value().as_str().is_some_and(Reader::has_unit);
+        let b = if has_unit { of_stiffness.quantity(Of::Time)? } else { of_stiffness.number()? };
+        model = model.with_rayleigh(of_mass.number()?, b).map_err(|e| about(&node, &e))?;
+    }
+    if let Some(node) = fields.get("ratio") {
+        let given = if node.value().is_array() { node.list()? } else { vec![node.clone()] };
+        if given.is_empty() {
+            return Err(node.wrong("must have a damping ratio, such as \"2 %\""));
+        }
+        let ratios: Vec<F> =
+            given.iter().map(|node| node.not_negative(Of::Ratio)).collect::<Result<_, _>>()?;
+        model = model.with_damping_ratios(&ratios).map_err(|e| match e {
+            Error::TooMany { most: 0, .. } => node.wrong("must be left out: no spring restores a motion"),
+            Error::TooMany { found, most, .. } => node.wrong(&format!(
+                "has {found} ratios, must have ≤ {most}, one for each mode with a restoring force"
+            )),
+            other => about(&node, &other),
+        })?;
+    }
+    fields.end_with(others)?;
+    Ok(model)
 }
 
 /// A model without a part.

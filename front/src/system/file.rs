@@ -1,8 +1,8 @@
 //! The file of a system: bodies by name with their springs, contacts and loads, or matrices.
 
 use super::described::{
-    Described, MOST_COORDINATES, MOST_ELEMENTS, MOST_FREQUENCIES, MOST_SAMPLES, empty, law, pairs, peak,
-    restitution,
+    Described, MOST_COORDINATES, MOST_ELEMENTS, MOST_FREQUENCIES, MOST_SAMPLES, damped, empty, law, pairs,
+    peak, restitution,
 };
 use super::laws::{BESIDE_CURVE, Law as Curved};
 use super::named;
@@ -149,7 +149,15 @@ fn by_matrices<F: Number>(fields: &Fields<'_>, units: Option<Units>) -> Result<D
     let zero = F::int(0);
     let zeros = || vec![vec![zero; n]; n];
     let matrix = |name| fields.get(name).map_or_else(|| Ok(zeros()), |node| node.matrix(n));
-    let mut model = Model { damping: matrix("damping")?, stiffness: matrix("stiffness")?, mass, ..empty() };
+    let by_modes = fields.get("damping").filter(|node| node.value().is_object());
+    let damping = match &by_modes {
+        Some(node) => node.fields()?.get("matrix").map_or_else(|| Ok(zeros()), |node| node.matrix(n))?,
+        None => matrix("damping")?,
+    };
+    let mut model = Model { damping, stiffness: matrix("stiffness")?, mass, ..empty() };
+    if let Some(node) = &by_modes {
+        model = damped(model, node, &["matrix"])?;
+    }
     if let Some(constant) = fields.get("constant") {
         model.constant = constant.vector(n)?;
     }

@@ -3,7 +3,7 @@
 use super::builder::Builder;
 use super::decimal::is_of_a_double;
 use super::described::{
-    Described, MOST_COORDINATES, MOST_ELEMENTS, base_of, empty, law, pairs, peak, restitution,
+    Described, MOST_COORDINATES, MOST_ELEMENTS, base_of, damped, empty, law, pairs, peak, restitution,
 };
 use super::laws::{BESIDE_CURVE, Law as Curved};
 use super::node::{Fields, Node, Number, check_name, nearest};
@@ -112,6 +112,9 @@ pub(super) fn described<F: Number>(
     }
     for node in lists("levels")? {
         builder.level(&node.fields()?)?;
+    }
+    if let Some(node) = fields.get("damping") {
+        builder.model = damped(builder.model, &node, &[])?;
     }
     let _ = fields.get("units");
     let _ = fields.get("about");

@@ -3,6 +3,7 @@
 
 mod bounds;
 mod curves;
+mod damping;
 mod drives;
 mod grazing;
 mod hostile;
@@ -65,13 +66,14 @@ fn by_names() -> Value {
         ],
         "levels": [{"on": "roof", "displacement": "1 mm"}, {"name": "fast", "between": ["block", "roof"], "velocity": 3}],
         "base": {"acceleration": {"amplitude": "0.1 g", "frequency": "2 Hz"}},
+        "damping": {"rayleigh": [0.1, "0.2 ms"], "ratio": "2 %"},
     })
 }
 
 /// Every field of matrices.
 fn by_matrices() -> Value {
     json!({
-        "mass": [[1.0, 0.1], [0.1, 0.5]], "damping": [[0.3, 0], [0, 0]], "stiffness": [[500, -300], [-300, 300]],
+        "mass": [[1.0, 0.1], [0.1, 0.5]], "damping": {"matrix": [[0.3, 0], [0, 0]], "rayleigh": [0.1, 0.2], "ratio": ["2 %"]}, "stiffness": [[500, -300], [-300, 300]],
         "coordinates": ["block", "roof"],
         "elements": [
             {"type": "contact", "direction": [1, 0], "friction": 450, "belt": {"const": 1, "sin": [0.5]}},

@@ -114,6 +114,8 @@ fn the_schema_has_the_fields_of_the_reader() {
         ("motion", "/masses/table/moves", by_names()),
         ("sweep", "/forces/2/sweep", by_names()),
         ("level", "/levels/0", by_names()),
+        ("damping", "/damping", by_names()),
+        ("matrix_damping", "/damping", by_matrices()),
         ("matrices", "", by_matrices()),
         ("harmonic", "/harmonics/0", by_matrices()),
         ("normal", "/contacts/2/normal_load", contact("/contacts/0/friction", &json!(1))),

@@ -214,7 +214,7 @@ fn a_list_of_another_length_is_named() {
     let file = by_matrices();
     let lists = [
         "mass[1]",
-        "damping[2]",
+        "damping.matrix[2]",
         "stiffness[1]",
         "constant",
         "start.displacement",
