@@ -1,33 +1,45 @@
 //! The steady motion of a body without a spring that a constant force, or friction by direction, moves on for ever.
 
-use crate::args::SteadyArgs;
+use crate::args::{MachineArgs, StartArgs, SteadyArgs};
 use crate::failure::{Failure, Outcome};
 use crate::system::steady_motion;
 use crate::{input, interrupt, output};
 use std::io::Write;
-use stickslip::motion::record::Body;
 use stickslip_front::inputs::units::Reader;
-use stickslip_front::inputs::{Given, Input};
+use stickslip_front::inputs::{Driven, Given, Input};
 use stickslip_front::system::{Answer, OneBody, Repeated};
 
 /// The inputs, if they are those of one body that drifts.
-pub(crate) fn asked(args: &SteadyArgs) -> Result<Option<Given<f64>>, Failure> {
-    if args.enclose || args.machine.text(Input::Stiffness).is_none() {
+pub(crate) fn asked(machine: &MachineArgs, reader: &Reader) -> Result<Option<Given<f64>>, Failure> {
+    if machine.text(Input::Stiffness).is_none() {
         return Ok(None);
     }
-    let given = input::read::<f64>(&args.machine, &args.output.units.reader())?;
+    let given = input::read::<f64>(machine, reader)?;
     Ok((given.is_without_spring() && given.drifts().is_some()).then_some(given))
+}
+
+/// Those of `stickslip steady`, whose bounds have no drift.
+pub(crate) fn of_steady(args: &SteadyArgs) -> Result<Option<Given<f64>>, Failure> {
+    if args.enclose {
+        return Ok(None);
+    }
+    asked(&args.machine, &args.output.units.reader())
+}
+
+/// Refuses more bits than those of a double, and many machines.
+pub(crate) fn check(given: &Given<f64>, bits: Option<u32>, is_one: bool) -> Outcome {
+    if is_one && bits.is_none_or(|bits| bits <= f64::MANTISSA_DIGITS) {
+        return Ok(());
+    }
+    let text = given.drifts().map(|input| given.label(input)).unwrap_or_default();
+    Err(format!("{text}: a drift is answered at 53 bits and for one machine").into())
 }
 
 /// The answer: that of a system of this one body.
 pub(crate) fn run(args: &SteadyArgs, given: &Given<f64>, out: &mut impl Write) -> Outcome {
-    if args.output.bits.is_some_and(|bits| bits > f64::MANTISSA_DIGITS) || args.output.points.is_some() {
-        let text = given.drifts().map(|input| given.label(input)).unwrap_or_default();
-        return Err(format!("{text}: a drift is answered at 53 bits and for one machine").into());
-    }
-    let (body, start, load) = asked_of(&input::with_any_mass(given), args, &args.output.units.reader())?;
-    let one = OneBody::new(&body, given.system, start, load).map_err(Failure::Input)?;
-    let one = one.while_allowed(interrupt::keep_going);
+    check(given, args.output.bits, args.output.points.is_none())?;
+    let given = input::with_any_mass(given);
+    let (one, _) = one_body(&given, &args.start, 0.0, &args.output.units.reader())?;
     let found = one.steady().map_err(Failure::from)?;
     if args.output.is_json()? {
         return output::json(&Answer::steady(&one.system.described, &found), out);
@@ -35,12 +47,13 @@ pub(crate) fn run(args: &SteadyArgs, given: &Given<f64>, out: &mut impl Write) -
     steady_motion(&one.system, &found, None, out)
 }
 
-/// The body, its start and its load.
-fn asked_of(
+/// The body as a system, at a phase of its drive at the start, and the machine whose friction is the mean of both directions.
+pub(crate) fn one_body(
     given: &Given<f64>,
-    args: &SteadyArgs,
+    start: &StartArgs,
+    phase: f64,
     reader: &Reader,
-) -> Result<(Body<f64>, [f64; 2], Repeated<'static>), Failure> {
+) -> Result<(OneBody, Driven<f64>), Failure> {
     let friction = given.friction()?.unwrap_or(0.0);
     let backward = given.get(Input::FrictionBackward).unwrap_or(friction);
     let mut symmetric = given.clone();
@@ -53,7 +66,9 @@ fn asked_of(
     let load = Repeated::Sine {
         amplitude: drive.force_amplitude(&machine.oscillator),
         frequency: drive.angular_frequency(),
+        phase,
     };
-    let [x0, v0] = [Input::X0, Input::V0].map(|input| args.start.text(input));
-    Ok((given.body(None)?, input::start_in_units::<f64>(reader, [x0, v0])?, load))
+    let start = input::start_in_units::<f64>(reader, [Input::X0, Input::V0].map(|input| start.text(input)))?;
+    let one = OneBody::new(&given.body(None)?, given.system, start, load).map_err(Failure::Input)?;
+    Ok((one.while_allowed(interrupt::keep_going), machine))
 }

@@ -126,7 +126,7 @@ fn run_command(command: &Command) -> Outcome {
     match command {
         Command::Response(args) => closed::response(args, &mut out)?,
         Command::Border(args) => closed::border(args, &mut out)?,
-        Command::Steady(args) => match drifting::asked(args)? {
+        Command::Steady(args) => match drifting::of_steady(args)? {
             Some(given) => drifting::run(args, &given, &mut out)?,
             None => steady::run(args, &mut out)?,
         },

@@ -1,5 +1,6 @@
 //! `stickslip simulate`.
 
+mod drifting;
 mod shaped;
 
 use crate::args::{Header, ShapeArg, SimulateArgs, StreamFormat};
@@ -59,6 +60,10 @@ fn write<F: Value>(args: &SimulateArgs, format: StreamFormat, out: &mut impl Wri
     ];
     if let Some((option, _)) = of_shapes.into_iter().find(|(_, is_typed)| *is_typed) {
         return Err(format!("{option}: needs --shape step, ramp, pull or free").into());
+    }
+    if let Some(given) = crate::drifting::asked(&args.machine, &reader)? {
+        drifting::write(args, &given, &mut sink, &reader)?;
+        return sink.finish();
     }
     let given = input::read::<F>(&args.machine, &reader)?;
     let mut given = input::with_any_mass(&given).into_owned();

@@ -18,13 +18,15 @@
 //! with a positive denominator: from a lower bound of S, the place where `ω S sin ωτ − [v(τ) − v_f cos ωτ]` is least gives
 //! the next one (Dinkelbach), until nothing is below zero.
 //!
+//! Bodies without mass that springs or dampers carry are in A, whose branch gives their velocities (`massless.rs`). A contact at one has no
+//! border: with no mass to carry it on, the body sticks at each reversal until the force on it has changed by twice the friction.
+//!
 //! For one body these are eq. 42, 44 and 61 of the paper and the interior border (`src/cycle/border.rs`).
 
 use super::assembly::{Assembly, Rule};
 use super::branch::{Branch, polynomial};
 use super::error::Error;
 use super::first_passage::{greatest_place, integer};
-use super::joints::Joints;
 use super::matrix::{Matrix, add_times, at, dot};
 use super::mode::Mode;
 use crate::float::Float;
@@ -112,6 +114,12 @@ impl<F: Float> Friction<F> {
         if part.velocity.iter().skip(2 * given.n).any(|&x| x != zero) {
             return Err(unsupported(&part.name, "must not move on its other side"));
         }
+        if let Some(&joint) = given.massless.iter().find(|&&i| at(&part.direction, i) != zero) {
+            return Err(given.without_mass(
+                joint,
+                "must not be at the contact: there it sticks at each reversal under any load, while its spring turns over",
+            ));
+        }
         let [frequency] = given.frequencies.as_slice() else {
             return Err(unsupported(
                 "harmonics",
@@ -159,6 +167,9 @@ impl<F: Float> Friction<F> {
             steps += 1;
         }
         let branch = Branch::new(&system, &modes, half / integer(steps), [].iter());
+        if let Some(free) = branch.tie.as_ref().and_then(|tie| tie.free) {
+            return Err(given.without_mass(free, "must be held by a spring or a damper"));
+        }
         let mut power = steps;
         let (mut whole, mut square) = (Matrix::identity(system.size), branch.whole.dense());
         while power > 0 {
@@ -333,29 +344,8 @@ fn release<F: Float>(system: &Assembly<F>, friction: &Friction<F>) -> Option<F> 
     (amplitude > zero).then(|| room / amplitude)
 }
 
-/// The system without its bodies without mass, which springs must carry.
-fn without_joints<F: Float>(given: &Assembly<F>) -> Result<Option<Assembly<F>>, Error> {
-    let (Some(&first), [part]) = (given.massless.first(), given.parts.as_slice()) else { return Ok(None) };
-    if let Some(&joint) = given.massless.iter().find(|&&i| at(&part.direction, i) != F::int(0)) {
-        return Err(given.without_mass(
-            joint,
-            "must not be at the contact: there it sticks at each reversal under any load, while its spring turns over",
-        ));
-    }
-    let joints = Joints::new(given, &given.stiffness, &given.damping).ok_or_else(|| {
-        given.without_mass(
-            first,
-            "must be held by springs alone: give it a mass, or put its dampers between bodies with mass",
-        )
-    })?;
-    Assembly::new(&joints.model(given, part)?).map(Some)
-}
-
 /// The border of a system with one contact and one harmonic load.
 pub(crate) fn border<F: Float>(system: &Assembly<F>) -> Result<Border<F>, Error> {
-    if let Some(system) = without_joints(system)? {
-        return border(&system);
-    }
     let friction = Friction::new(system)?;
     let (least, touching_time) = friction.least();
     let (sin, cos) = friction.load;
@@ -371,9 +361,6 @@ pub(crate) fn border<F: Float>(system: &Assembly<F>) -> Result<Border<F>, Error>
 
 /// The cycle of a system with one contact and one harmonic load; none where the load is too weak for it.
 pub(crate) fn cycle<F: Float>(system: &Assembly<F>) -> Result<Option<Cycle<F>>, Error> {
-    if let Some(system) = without_joints(system)? {
-        return cycle(&system);
-    }
     let friction = Friction::new(system)?;
     let (least, _) = friction.least();
     let (sin, cos) = friction.load;

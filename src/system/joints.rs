@@ -6,10 +6,8 @@
 //! M_ff q_f″ + C_ff q_f′ + (K_ff − K_fj K_jj⁻¹ K_jf) q_f = f_f − K_fj K_jj⁻¹ f_j
 //! ```
 
-use super::assembly::{Assembly, Part, Rule};
-use super::error::Error;
+use super::assembly::Assembly;
 use super::matrix::{Matrix, at};
-use super::model::{Element, Harmonic, Kind, Law, Model, Signal};
 use crate::float::Float;
 use alloc::vec::Vec;
 
@@ -53,13 +51,8 @@ impl<F: Float> Joints<F> {
         result
     }
 
-    /// A vector's entries of bodies with mass.
-    fn entries(&self, vector: &[F]) -> Vec<F> {
-        self.kept.iter().map(|&i| at(vector, i)).collect()
-    }
-
     /// The force on the bodies with mass that a force on all of them is, through springs.
-    pub(crate) fn force(&self, stiffness: &Matrix<F>, force: &[F]) -> Vec<F> {
+    fn force(&self, stiffness: &Matrix<F>, force: &[F]) -> Vec<F> {
         let carried = |(k, (_, inverse)): (usize, &(usize, Vec<F>)), i: usize| {
             let share =
                 self.light.iter().zip(inverse).fold(F::int(0), |sum, ((j, _), &x)| sum + x * at(force, *j));
@@ -78,39 +71,5 @@ impl<F: Float> Joints<F> {
             self.force(stiffness, &column).iter().enumerate().for_each(|(a, &x)| result.set(a, b, x));
         }
         result
-    }
-
-    /// The model of the bodies with mass of a system whose only element is a contact between them, with one friction force.
-    pub(crate) fn model(&self, system: &Assembly<F>, part: &Part<F>) -> Result<Model<F>, Error> {
-        let Rule::Contact { pieces, peak, .. } = &part.rule else {
-            return Err(Error::Unsupported { name: part.name.clone(), condition: "must be a contact" });
-        };
-        let rows = |matrix: &Matrix<F>| matrix.rows().map(<[F]>::to_vec).collect();
-        let load = |place: usize| {
-            let force: Vec<F> = system.load.rows().map(|row| at(row, place)).collect();
-            self.force(&system.stiffness, &force)
-        };
-        let harmonic = |(i, &frequency): (usize, &F)| {
-            let place = system.harmonic(i);
-            Harmonic { frequency, sin: load(place), cos: load(place.saturating_add(1)) }
-        };
-        let law = Law { points: pieces.iter().map(|piece| (piece.from, piece.force)).collect() };
-        Ok(Model {
-            mass: rows(&self.of_bodies(&system.mass)),
-            damping: rows(&self.of_bodies(&system.damping)),
-            stiffness: rows(&self.balanced(&system.stiffness)),
-            constant: load(system.size.saturating_sub(1)),
-            harmonics: system.frequencies.iter().enumerate().map(harmonic).collect(),
-            elements: alloc::vec![Element {
-                name: part.name.clone(),
-                direction: self.entries(&part.direction),
-                moves: Signal::constant(F::int(0)),
-                kind: Kind::Contact { law, peak: *peak, normal: None },
-            }],
-            records: Vec::new(),
-            moved: Vec::new(),
-            levels: Vec::new(),
-            coordinates: Vec::new(),
-        })
     }
 }

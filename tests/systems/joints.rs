@@ -1,6 +1,7 @@
 //! Bodies without mass in the questions that have closed forms, under a mass that a record shakes, and beside stops that give no way.
 
 use crate::closed_form::contact;
+use crate::compared::{Origin::SmallSteps, agreed, near};
 use crate::generator::Random;
 use stickslip::system::{Beyond, Element, Harmonic, Kind, Law, Model, Normal, Record, Signal, State, System};
 
@@ -108,6 +109,166 @@ fn a_joint_between_springs_is_one_spring() {
         let range = followed.motion.max_displacement[1] - followed.motion.min_displacement[1];
         assert!((2.0 * cycle.max_displacement - range).abs() < 1e-9 * range, "{cycle:?} {range}");
     }
+}
+
+/// Two masses with a Maxwell element between them, whose spring and damper meet in a joint that another spring ties to the ground. Its steps
+/// are those of Runge and Kutta over the displacements and velocities of the masses and the displacement of the joint.
+#[derive(Debug, Clone, Copy)]
+struct Maxwell {
+    mass: [f64; 2],
+    /// From the ground to the first mass, from the first to the joint, from the joint to the ground, and from the first to the second.
+    stiffness: [f64; 4],
+    /// Of the first mass, and from the joint to the second one.
+    damping: [f64; 2],
+    peak: f64,
+    /// On the second mass with the sine, and on the joint with the cosine.
+    load: [f64; 2],
+    frequency: f64,
+}
+
+impl Maxwell {
+    fn model(&self, factor: f64) -> Model<f64> {
+        let Self { mass: [m, n], stiffness: [ground, own, tie, between], damping: [c, d], .. } = *self;
+        Model {
+            mass: rows(&[m, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, n], 3),
+            damping: rows(&[c, 0.0, 0.0, 0.0, d, -d, 0.0, -d, d], 3),
+            stiffness: rows(
+                &[ground + own + between, -own, -between, -own, own + tie, 0.0, -between, 0.0, between],
+                3,
+            ),
+            harmonics: vec![Harmonic {
+                frequency: self.frequency,
+                sin: vec![0.0, 0.0, factor * self.load[0]],
+                cos: vec![0.0, factor * self.load[1], 0.0],
+            }],
+            elements: vec![contact(vec![1.0, 0.0, 0.0], 1.0, self.peak)],
+            ..Model::default()
+        }
+    }
+
+    /// The rates, and the force on the first mass without its friction.
+    fn rates(&self, t: f64, z: [f64; 5], factor: f64, friction: Option<f64>) -> ([f64; 5], f64) {
+        let Self { mass: [m, n], stiffness: [ground, own, tie, between], damping: [c, d], load, .. } = *self;
+        let [x, v, y, w, joint] = z;
+        let (sin, cos) = (self.frequency * t).sin_cos();
+        let slip = (factor * load[1] * cos - own * (joint - x) - tie * joint) / d;
+        let force = -ground * x - own * (x - joint) - between * (x - y) - c * v;
+        let push = factor * load[0] * sin - between * (y - x) + d * slip;
+        ([v, friction.map_or(0.0, |friction| (force - friction) / m), w, push / n, w + slip], force)
+    }
+
+    fn step(&self, t: f64, h: f64, z: [f64; 5], factor: f64, friction: Option<f64>) -> [f64; 5] {
+        let on = |z: [f64; 5], k: [f64; 5], h: f64| [0, 1, 2, 3, 4].map(|i| z[i] + h * k[i]);
+        let rate = |t: f64, z: [f64; 5]| self.rates(t, z, factor, friction).0;
+        let one = rate(t, z);
+        let two = rate(t + h / 2.0, on(z, one, h / 2.0));
+        let three = rate(t + h / 2.0, on(z, two, h / 2.0));
+        let four = rate(t + h, on(z, three, h));
+        [0, 1, 2, 3, 4].map(|i| z[i] + h / 6.0 * (one[i] + 2.0 * two[i] + 2.0 * three[i] + four[i]))
+    }
+
+    /// How often the first mass comes to rest in the last twenty periods at a part of the load, and its range then: the load falls to this part
+    /// from twice as much, slowly, so that it does not rest before.
+    fn long_run(&self, factor: f64) -> (usize, f64) {
+        const STEPS: u32 = 800;
+        let period = std::f64::consts::TAU / self.frequency;
+        let h = period / f64::from(STEPS);
+        let (mut z, mut slides, mut rests, mut range) =
+            ([0.0, 1e-3, 0.0, 0.0, 0.0], true, 0, (0.0_f64, 0.0_f64));
+        let (fall, turns) = (120, 260);
+        for turn in 0..turns {
+            let factor = factor * 2.0_f64.powf((1.0 - f64::from(turn) / f64::from(fall)).max(0.0));
+            for i in 0..STEPS {
+                let t = h * f64::from(turn * STEPS + i);
+                if !slides {
+                    let force = self.rates(t, z, factor, None).1;
+                    slides = force.abs() > self.peak;
+                    if slides {
+                        z[1] = 1e-12 * force.signum();
+                    }
+                }
+                if !slides {
+                    z = self.step(t, h, z, factor, None);
+                    continue;
+                }
+                let friction = z[1].signum();
+                let next = self.step(t, h, z, factor, Some(friction));
+                if next[1] * friction > 0.0 {
+                    z = next;
+                } else {
+                    let (mut low, mut high) = (0.0, h);
+                    for _ in 0..60 {
+                        let middle = f64::midpoint(low, high);
+                        let there = self.step(t, middle, z, factor, Some(friction));
+                        if there[1] * friction > 0.0 { low = middle } else { high = middle }
+                    }
+                    z = self.step(t, high, z, factor, Some(friction));
+                    z[1] = 0.0;
+                    let force = self.rates(t + high, z, factor, None).1;
+                    slides = force.abs() > self.peak;
+                    rests += usize::from(!slides && turn + 20 >= turns);
+                    let friction = slides.then(|| force.signum());
+                    z = self.step(t + high, h - high, z, factor, friction);
+                }
+                if turn + 20 >= turns {
+                    range = (range.0.min(z[0]), range.1.max(z[0]));
+                }
+            }
+        }
+        (rests, range.1 - range.0)
+    }
+}
+
+/// A joint that a damper carries has a border, too: beside small steps, in which the first mass rests just below it and never just above.
+#[test]
+fn a_joint_at_a_damper_has_a_border() {
+    let mut random = Random(751_129);
+    let mut places = [0; 2];
+    for case in 0..12 {
+        let mut draw = |low: f64, high: f64| low + (high - low) * random.next();
+        let machine = Maxwell {
+            mass: [draw(0.5, 2.0), draw(0.5, 2.0)],
+            stiffness: [
+                draw(1.0, 5.0),
+                draw(1.0, 8.0),
+                if case % 2 == 0 { 0.0 } else { draw(0.5, 3.0) },
+                draw(1.0, 5.0),
+            ],
+            damping: [draw(0.1, 0.4), draw(0.3, 2.0)],
+            peak: if case % 3 == 0 { draw(1.0, 1.3) } else { 1.0 },
+            load: [draw(3.0, 8.0), draw(-2.0, 2.0)],
+            frequency: if case % 4 == 3 { draw(0.15, 0.35) } else { draw(0.5, 3.0) },
+        };
+        let ours = System::new(&machine.model(1.0)).unwrap().border().unwrap();
+        // Under a static friction the cycle repels its neighbours close to the border, as friction that falls does.
+        let above = if machine.peak > 1.0 { 0.02 } else { 2e-4 };
+        let due = [1.0 - 2e-4, 1.0 + above].map(|part| machine.long_run(part * ours.least_load_factor).0 > 0);
+        agreed("system border least_load_factor by system::System::border", [true, false], due, SmallSteps);
+        places[usize::from(ours.touching_time > 0.0)] += 1;
+        let factor = 1.5 * ours.least_load_factor;
+        let cycle = System::new(&machine.model(factor)).unwrap().cycle().unwrap().unwrap();
+        let (_, range) = machine.long_run(factor);
+        // The greatest of the samples is below the peak by (ωh)²/8 of it at most.
+        near(
+            "system border cycle by system::System::cycle",
+            2.0 * cycle.max_displacement,
+            range,
+            SmallSteps,
+            1e-4,
+        );
+    }
+    assert!(places.iter().all(|count| *count > 0), "{places:?}");
+    // Without either of both a joint has none.
+    let loose = Model {
+        mass: rows(&[1.0, 0.0, 0.0, 0.0], 2),
+        damping: rows(&[0.0; 4], 2),
+        stiffness: rows(&[1.0, 0.0, 0.0, 0.0], 2),
+        harmonics: vec![Harmonic { frequency: 1.3, sin: vec![3.0, 0.0], cos: vec![] }],
+        elements: vec![contact(vec![1.0, 0.0], 1.0, 1.0)],
+        ..Model::default()
+    };
+    let said = System::new(&loose).unwrap_err().to_string();
+    assert!(said.contains("needs a spring, a damper or a contact that carries it"), "{said}");
 }
 
 /// Two modes that couple by the friction of a belt, as in a disc brake: with a joint in one of its springs they are those of the springs in
@@ -286,10 +447,6 @@ fn what_joints_do_not_have_is_refused() {
         |model: &Model<f64>| System::new(model).and_then(|system| system.border()).unwrap_err().to_string();
     let at_joint = said(&row(vec![1.0, 0.0]));
     assert!(at_joint.starts_with("joint, which has no mass, must not be at the contact"), "{at_joint}");
-    let mut damped = row(vec![0.0, 1.0]);
-    damped.damping = rows(&[0.3, -0.3, -0.3, 0.3], 2);
-    let by_damper = said(&damped);
-    assert!(by_damper.starts_with("joint, which has no mass, must be held by springs alone"), "{by_damper}");
     // A stop that gives no way beside a joint.
     let mut stopped = row(vec![0.0, 1.0]);
     stopped.elements.push(Element {

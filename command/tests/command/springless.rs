@@ -138,6 +138,24 @@ fn a_constant_force_makes_it_drift() {
                 let ours = ours.as_f64().unwrap();
                 compared("system steady load_work", ours, work, Origin::ByHand, 1e-11 * work);
             }
+            // The motion from rest goes there: its last forward slide is that of the limit.
+            let rows = rows_of(&format!(
+                "simulate --no-spring --mass 2 --frequency 3 --force {} {options} --cycles 60",
+                4.0 * alpha
+            ));
+            let slide =
+                rows.iter().rfind(|row| row["kind"] == "slide-forward" && row["ends_by"] == "reversal");
+            let slide = slide.expect("a slide");
+            let of = |name: &str| number(slide, name);
+            compared(
+                "simulate start_phase",
+                (of("start_phase") - start + PI).rem_euclid(TAU) - PI,
+                0.0,
+                Origin::ByHand,
+                1e-10,
+            );
+            let way = of("end_displacement") - of("start_displacement");
+            compared("simulate end_displacement", way, there * LENGTH, Origin::ByHand, 1e-10 * alpha);
             let speed = answer["mean_velocity"][0].as_f64().unwrap();
             compared(
                 "system steady mean_velocity",
@@ -152,6 +170,84 @@ fn a_constant_force_makes_it_drift() {
         "steady --no-spring --mass 300kg --friction 400N --mean-force 50N --force 700N --frequency 25Hz",
     );
     assert!(text.contains("drifts by"), "{text}");
+}
+
+/// The lines of a motion.
+fn rows_of(line: &str) -> Vec<Value> {
+    let text = stdout(&format!("{line} --format jsonl"));
+    text.lines().map(|line| serde_json::from_str(line).unwrap()).collect()
+}
+
+/// A drift has the rows of any other motion: those of a force that is hardly there are those without it. A sample has the friction of its
+/// direction, and the acceleration that the forces give.
+#[test]
+fn a_motion_that_drifts_is_followed() {
+    let near = |a: &Value, b: &Value| match (a.as_f64(), b.as_f64()) {
+        (Some(a), Some(b)) => (a - b).abs() < 1e-9,
+        _ => a == b,
+    };
+    for (start, phase) in [("", ""), (" --x0 0.3 --v0=-1.1", " --phase 200deg")] {
+        for samples in ["", " --samples 7", " --samples 4"] {
+            let line =
+                format!("simulate {MACHINE} --force 13 --static-ratio 1.2 --cycles 5{start}{phase}{samples}");
+            let (plain, drifting) = (rows_of(&line), rows_of(&format!("{line} --mean-force 1e-11")));
+            // The last segment of the one ends with the time, that of the other with itself.
+            let count = if samples.is_empty() { plain.len() - 1 } else { plain.len() };
+            assert_eq!(plain.len(), drifting.len(), "{line}");
+            assert!(count > 8, "{line}");
+            for (a, b) in plain.iter().zip(&drifting).take(count) {
+                let (one, other) = (a.as_object().unwrap(), b.as_object().unwrap());
+                assert_eq!(one.keys().collect::<Vec<_>>(), other.keys().collect::<Vec<_>>());
+                for (name, value) in one {
+                    let same = match value.as_object() {
+                        Some(all) => all.iter().all(|(key, value)| near(value, &other[name][key])),
+                        None => near(value, &other[name]),
+                    };
+                    assert!(same, "{line} {name}: {a} {b}");
+                }
+            }
+        }
+    }
+    let rows = rows_of(
+        "simulate --no-spring --mass 2 --friction 4 --friction-backward 5 --mean-force 0.5 --frequency 3 --force 12 --cycles 3 --samples 20",
+    );
+    let mut directions = [0; 3];
+    for row in &rows {
+        let of = |name: &str| number(row, name);
+        let (time, velocity, friction) = (of("time"), of("velocity"), of("friction_force"));
+        let load = 12.0 * (3.0 * time).sin() + 0.5;
+        let due = if velocity > 0.0 {
+            4.0
+        } else if velocity < 0.0 {
+            -5.0
+        } else {
+            load
+        };
+        compared("simulate --samples friction_force", friction, due, Origin::ByHand, 1e-12);
+        compared(
+            "simulate --samples acceleration",
+            of("acceleration"),
+            (load - due) / 2.0,
+            Origin::ByHand,
+            1e-12,
+        );
+        directions[if velocity > 0.0 {
+            0
+        } else if velocity < 0.0 {
+            1
+        } else {
+            2
+        }] += 1;
+    }
+    assert!(directions.iter().all(|count| *count > 0), "{directions:?}");
+    refused(
+        "simulate --no-spring --mass 2 --friction 4 --frequency 3 --force 12 --mean-force 1 --cycles 100000000",
+        &["--cycles 100000000: must be ≤"],
+    );
+    refused(
+        &format!("simulate {MACHINE} --force 12 --mean-force 1 --cycles 60000 --samples 100"),
+        &["--cycles 60000: about 6.0e6 samples, must be ≤ 1e6"],
+    );
 }
 
 /// Inverse questions lead back: the force that they name has the amplitude, or the threshold, that was asked for.

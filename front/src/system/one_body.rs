@@ -13,17 +13,19 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use stickslip::Excitation;
 use stickslip::motion::record::{Body, Record};
-use stickslip::system::{Beyond, Record as Samples, Steady};
+use stickslip::system::{Beyond, Motion, Record as Samples, State, Steady};
 
 /// A load that repeats itself.
 #[derive(Debug, Clone, Copy)]
 pub enum Repeated<'a> {
-    /// The force `amplitude · sin(frequency · t)` on the body.
+    /// The force `amplitude · sin(frequency · t + phase)` on the body.
     Sine {
         /// Its amplitude.
         amplitude: f64,
         /// Its angular frequency.
         frequency: f64,
+        /// Its phase at the start.
+        phase: f64,
     },
     /// A record, again and again: its last sample is at the time of the first one of the next cycle.
     Record(&'a Record<f64>),
@@ -34,8 +36,10 @@ pub enum Repeated<'a> {
 pub struct OneBody {
     /// The system, whose coordinate is the body and whose contact its surface.
     pub system: NamedSystem,
+    /// The constant force on the body.
+    pub mean_force: f64,
     /// Half the difference of the frictions against forward and against backward motion.
-    offset: f64,
+    pub offset: f64,
 }
 
 impl OneBody {
@@ -56,8 +60,10 @@ impl OneBody {
         let springs: Vec<_> =
             parts.map(|(name, value)| json!({ "between": ["ground", "body"], name: value })).collect();
         let mut forces = vec![json!({ "on": "body", "constant": body.mean_force() - offset })];
-        if let Repeated::Sine { amplitude, frequency } = load {
-            forces.push(json!({ "on": "body", "amplitude": amplitude, "frequency": frequency }));
+        if let Repeated::Sine { amplitude, frequency, phase } = load {
+            forces.push(
+                json!({ "on": "body", "amplitude": amplitude, "frequency": frequency, "phase": phase }),
+            );
         }
         let value = json!({
             "units": units.to_string(),
@@ -76,7 +82,7 @@ impl OneBody {
             Repeated::Sine { .. } => system,
             Repeated::Record(record) => under(system, body, record)?,
         };
-        Ok(Self { system, offset })
+        Ok(Self { system, mean_force: body.mean_force(), offset })
     }
 
     /// This body, whose motions are followed as long as `keep_going` returns [`ControlFlow::Continue`].
@@ -96,6 +102,26 @@ impl OneBody {
             found.motion.load_work += self.offset * drift;
         }
         Ok(found)
+    }
+
+    /// The motion from the start until a time. Its works are those of [`OneBody::system`].
+    ///
+    /// # Errors
+    /// As [`System::simulate`](stickslip::system::System::simulate).
+    pub fn simulate(&self, until: f64) -> Result<Motion<f64>, Why> {
+        Ok(self.system.simulate(&self.system.described.start, until)?.0)
+    }
+
+    /// The states at times that increase. The force of the surface is that of its direction.
+    ///
+    /// # Errors
+    /// As [`System::states`](stickslip::system::System::states).
+    pub fn states(&self, times: &[f64]) -> Result<Vec<State<f64>>, Why> {
+        let mut states = self.system.states(&self.system.described.start, times)?;
+        for force in states.iter_mut().flat_map(|state| &mut state.force) {
+            *force += self.offset;
+        }
+        Ok(states)
     }
 }
 

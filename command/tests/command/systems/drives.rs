@@ -2,7 +2,7 @@
 
 use super::{distance, numbers};
 use crate::command_line::{json, refused, said, stdout, stickslip};
-use crate::compared::{Origin::ByHand, near};
+use crate::compared::{Origin::ByHand, Origin::SmallSteps, compared, near};
 use crate::place::{Place, place};
 use std::f64::consts::TAU;
 
@@ -37,7 +37,7 @@ fn a_conveyor_that_jerks_carries_its_part_as_by_hand() {
     let steady = json(&format!("system {machine} steady --format json"));
     let speed = 400.0 * G * 0.02;
     let due = speed * speed / 2.0 * (1.0 / (400.0 * G) + 1.0 / (800.0 * G));
-    assert!((number(&steady["drift"][0]) - due).abs() < 1e-12, "{steady}");
+    compared("system steady drift", number(&steady["drift"][0]), due, ByHand, 1e-12);
     assert_eq!((&steady["kind"], &steady["periods"]), (&"periodic".into(), &1.into()));
     let events: Vec<_> = steady["events"].as_array().unwrap().iter().map(|e| number(&e["time"])).collect();
     assert!(distance(&events, &[0.01, 0.06]) < 1e-12, "{events:?}");
@@ -116,7 +116,8 @@ fn drift_by_steps(force: impl Fn(f64) -> f64, bound: impl Fn(f64) -> f64, period
     x - before
 }
 
-/// A part under two harmonics of its load, as in the paper of Maza-Cuello and Maza on such drives.
+/// A part under two harmonics of its load, as in the paper of Maza-Cuello and Maza on such drives. A drift of −2.7661 mm a period is said to be
+/// theirs: steps of the same equation give 0.0123 mm less, as the command does, and are right to 10⁻⁸ mm.
 #[test]
 fn a_part_drifts_under_two_harmonics() {
     let file = TRACK.replace("0.5", "0.2").replace("9.80665 N", "9.81 N")
@@ -127,28 +128,33 @@ fn a_part_drifts_under_two_harmonics() {
     let force = |t: f64| 6.0 * ((TAU * 10.0 * t).sin() + (TAU * 20.0 * t).cos());
     let due = 1000.0 * drift_by_steps(force, |_| 0.2 * 9.81, 0.1);
     let ours = number(&found["drift"][0]);
-    assert!((ours - due).abs() < 1e-8, "{ours} {due}");
+    compared("system steady drift", ours, due, SmallSteps, 1e-8);
+    assert!((due + 2.7661 - 0.0123).abs() < 1e-4, "{due}");
 }
 
-/// A track that swings by 2 mm at 25° and 15 Hz, whose part weighs the more the faster it goes up.
+/// A track that swings by 2 mm at 25° and 15 Hz, whose part weighs the more the faster it goes up, as in the paper of Sloot and Kruyt on
+/// conveyors. A speed of 64.592 mm/s with 9.81 m/s² is said to be theirs: steps of the same equation give 64.598 mm/s, as the command does.
 #[test]
 fn a_conveyor_that_swings_carries_its_part() {
     let acceleration = 0.002 * (TAU * 15.0_f64).powi(2);
     let (sin, cos) = 25.0_f64.to_radians().sin_cos();
-    let file = format!(
-        "units = \"N,mm\"\nmasses = {{ part = \"1 kg\" }}\n[[contacts]]\nbetween = [\"ground\", \"part\"]\ncoefficient = 0.4\nnormal_load = {{ \
-         constant = \"{G} N\", vertical = {{ amplitude = \"{} m/s^2\", frequency = \"15 Hz\", phase = \"180 deg\" }} }}\n[base]\ndisplacement \
-         = {{ amplitude = \"{} mm\", frequency = \"15 Hz\" }}\n",
-        acceleration * sin,
-        2.0 * cos
-    );
-    let folder = folder("swings", &[("track.toml", &file)]);
-    let found = json(&format!("system {} steady --format json", folder.join("track.toml").display()));
-    let wave = |t: f64| acceleration * (TAU * 15.0 * t).sin();
-    let due = 15_000.0 * drift_by_steps(|t| cos * wave(t), |t| 0.4 * (G - sin * wave(t)), 1.0 / 15.0);
-    let speed = number(&found["mean_velocity"][0]);
-    assert!((speed - due).abs() < 1e-7, "{speed} {due}");
-    assert!((speed - 64.602).abs() < 1e-3, "{found}");
+    let folder = folder("swings", &[]);
+    let file = folder.join("track.toml");
+    for (g, speed) in [(G, 64.602), (9.81, 64.598)] {
+        let text = format!(
+            "units = \"N,mm\"\nmasses = {{ part = \"1 kg\" }}\n[[contacts]]\nbetween = [\"ground\", \"part\"]\ncoefficient = 0.4\nnormal_load \
+             = {{ constant = \"{g} N\", vertical = {{ amplitude = \"{} m/s^2\", frequency = \"15 Hz\", phase = \"180 deg\" }} \
+             }}\n[base]\ndisplacement = {{ amplitude = \"{} mm\", frequency = \"15 Hz\" }}\n",
+            acceleration * sin * G / g,
+            2.0 * cos
+        );
+        std::fs::write(&file, text).unwrap();
+        let found = json(&format!("system {} steady --format json", file.display()));
+        let wave = |t: f64| acceleration * (TAU * 15.0 * t).sin();
+        let due = 15_000.0 * drift_by_steps(|t| cos * wave(t), |t| 0.4 * (g - sin * wave(t)), 1.0 / 15.0);
+        compared("system steady mean_velocity", number(&found["mean_velocity"][0]), due, SmallSteps, 1e-7);
+        assert!((due - speed).abs() < 5e-4, "{due}");
+    }
 }
 
 /// A box slides off a bed that brakes: 2 m under the difference of its acceleration and the friction's.
@@ -167,9 +173,9 @@ fn a_box_passes_the_end_of_its_bed_when_it_is_there_by_hand() {
         near(output, number(&found["duration"]), due, ByHand, 1e-14);
         let events = found["events"].as_array().unwrap();
         let of = |name: &str| events.iter().find(|event| event["name"] == name).unwrap();
-        assert!((number(&of("half")["time"]) / (2.0 / by).sqrt() - 1.0).abs() < 1e-14, "{found}");
+        near("system simulate events", number(&of("half")["time"]), (2.0 / by).sqrt(), ByHand, 1e-14);
         assert_eq!((&of("half")["kind"], &of("half")["element"]), (&"rise".into(), &1.into()));
-        assert!((number(&of("levels[2]")["time"]) * by - 1.0).abs() < 1e-14, "{found}");
+        near("system simulate events", number(&of("levels[2]")["time"]), 1.0 / by, ByHand, 1e-14);
     }
     for (level, why) in [
         ("box = -2 m", "must be passed within"),

@@ -2,6 +2,7 @@
 
 use super::numbers;
 use crate::command_line::{json, refused, said, stickslip};
+use crate::compared::{Origin::ByHand, compared};
 use crate::place::{Place, place};
 
 fn file(place: &Place, name: &str, text: &str) -> String {
@@ -32,19 +33,19 @@ fn a_joint_takes_its_part_of_the_way() {
     let found = json(&format!("system {name} steady --format json"));
     // 3 + 30 y = 2 + 10 (0.3 − y).
     let joint = (2.0 + 3.0 - 3.0) / 40.0;
-    assert!((numbers(&found["max_displacement"])[0] - joint).abs() < 1e-14, "{found}");
+    compared("system steady max_displacement", numbers(&found["max_displacement"])[0], joint, ByHand, 1e-14);
     // The loop: 4 a times each friction.
     let work = found["elements"].as_array().unwrap();
     let of = |i: usize| work[i]["work"].as_f64().unwrap();
     // From its turn the joint stays until the force has fallen by twice the friction; the steady loop is symmetric.
-    assert!(
-        (of(0) - 4.0 * 3.0 * joint).abs() < 1e-12 && (of(1) - 4.0 * 2.0 * (0.3 - joint)).abs() < 1e-12,
-        "{found}"
-    );
+    for (i, due) in [4.0 * 3.0 * joint, 4.0 * 2.0 * (0.3 - joint)].into_iter().enumerate() {
+        compared("system steady elements", of(i), due, ByHand, 1e-12);
+    }
     let name = file(&folder, "pushed.toml", JOINT);
     let found = json(&format!("system {name} --format json"));
     // In series, 7.5 N/m.
-    assert!((numbers(&found["natural_frequencies"])[0] - (7.5_f64 / 2.0).sqrt()).abs() < 1e-14, "{found}");
+    let due = (7.5_f64 / 2.0).sqrt();
+    compared("system natural_frequencies", numbers(&found["natural_frequencies"])[0], due, ByHand, 1e-14);
     let found = json(&format!("system {name} steady --format json"));
     let [load, dampers, stored] =
         ["load_work", "damper_work", "stored_energy"].map(|key| found[key].as_f64().unwrap());
