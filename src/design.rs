@@ -39,6 +39,7 @@ mod bands;
 mod damped;
 mod dissipation;
 mod force;
+#[cfg(feature = "identify")]
 #[allow(
     clippy::indexing_slicing,
     clippy::arithmetic_side_effects,
@@ -47,8 +48,11 @@ mod force;
 mod free_decay;
 mod friction;
 mod hold;
+#[cfg(feature = "identify")]
 mod identify;
+#[cfg(feature = "identify")]
 mod identify_motion;
+#[cfg(feature = "identify")]
 #[allow(
     clippy::indexing_slicing,
     clippy::arithmetic_side_effects,
@@ -67,10 +71,13 @@ pub use band::{Band, Edge};
 pub use bands::{Bands, frequency_bands};
 pub use dissipation::most_dissipating_friction;
 pub use force::min_amplitude;
+#[cfg(feature = "identify")]
 pub use free_decay::{DecayIdentified, TurningPoints, identify_decay, identify_turning_points};
 pub use friction::max_friction;
 pub use hold::{Holding, holding_frequency};
+#[cfg(feature = "identify")]
 pub use identify::{AmplitudeKind, Identified, Measurement, PhaseKind, Reading, Residual, identify};
+#[cfg(feature = "identify")]
 pub use identify_motion::{MotionIdentified, identify_motion};
 pub use no_stop::{forces_without_stop, frequency_bands_without_stop};
 pub use optimum::{BoundedOptimum, Optimum, OptimumKind};

@@ -86,8 +86,10 @@
 //!
 //! # Features
 //!
-//! * `std`, the only default one: the processor's fused operations and Brent's method of the crate roots. Without it
+//! * `std`, a default: the processor's fused operations and Brent's method of the crate roots. Without it
 //!   the library is `no_std` with alloc, several times slower, and a search for a zero may differ in its last digits;
+//! * `identify`, the other default: friction and damping from what was measured (`design::identify`). It takes half of the time to
+//!   compile the library;
 //! * `mp`: the number `float::Mp<LIMBS>` of 64 to 8192 bits and more, for every formula here. It links
 //!   GMP and MPFR (LGPL-3.0-or-later), which the first build compiles from C in about five minutes and which
 //!   needs m4 and make;

@@ -8,8 +8,6 @@ macro_rules! pages {
 
 pages! {
     Readme: "../README.md",
-    Recipes: "../docs/development/recipes.md",
-    Identify: "../docs/identify.md",
     NumberTypes: "../docs/development/number-types.md",
     Displacement: "../docs/development/theory/displacement.md",
     Velocity: "../docs/development/theory/velocity.md",
@@ -21,6 +19,12 @@ pages! {
     Damping: "../docs/development/theory/damping.md",
     ExactMotion: "../docs/development/theory/exact-motion.md",
     StaticFriction: "../docs/development/theory/static-friction.md",
+}
+
+#[cfg(feature = "identify")]
+pages! {
+    Recipes: "../docs/development/recipes.md",
+    Identify: "../docs/identify.md",
 }
 
 #[cfg(all(feature = "batch", feature = "dual", feature = "system"))]

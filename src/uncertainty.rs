@@ -83,6 +83,7 @@ mod samples;
 
 pub use estimate::Estimate;
 
+#[cfg(feature = "identify")]
 pub(crate) use estimate::{student, student_95};
 pub use parameters::{ParameterBox, Parameters};
 #[cfg(feature = "random")]

@@ -9,7 +9,7 @@ use super::tangent::Tangent;
 use crate::cycle::phase_function::{PhaseFunction, one_minus_square, one_minus_square_wide, reduced, turned};
 use crate::float::circular::by_quarters;
 use crate::float::pair::Pair;
-use crate::float::{Field, Float, Real, at_precision, fused};
+use crate::float::{Field, Float, at_precision, fused};
 
 /// Over the half period `T = π/Ω` of natural time, with `d = √(1 − ζ²)`:
 ///
@@ -220,7 +220,8 @@ impl<F: Field> HalfPeriod<F> {
     }
 }
 
-impl<F: Real> HalfPeriod<F> {
+#[cfg(any(feature = "identify", feature = "mp"))]
+impl<F: crate::float::Real> HalfPeriod<F> {
     /// The lag δ of the linear oscillator, in (0, π).
     pub(crate) fn phase_lag(&self) -> F {
         self.damper().atan2(self.one_minus_square)

@@ -222,6 +222,7 @@ impl<F: Float> Record<F> {
     }
 
     /// This record with other samples at its times, if they make one.
+    #[cfg(feature = "identify")]
     pub(crate) fn with_samples(&self, samples: Vec<F>) -> Option<Self> {
         (samples.len() == self.samples.len())
             .then(|| Self { samples, ..self.clone() }.checked().ok())
