@@ -18,6 +18,7 @@ mod grid;
 mod impacts;
 mod law_ends;
 mod long_run;
+mod long_steps;
 mod massless;
 mod one_body;
 #[cfg(feature = "mp")]
