@@ -409,3 +409,54 @@ fn the_growth_of_a_disturbance_is_that_of_two_motions_apart() {
     let by = found.disturbance_growth / growth;
     assert!(growth > 1e8 && (0.1..10.0).contains(&by), "{growth:e} {:e}", found.disturbance_growth);
 }
+
+/// Stiff machines, with steps that their fast modes do not shorten: within 10⁻¹⁰ of the motion at 128 bits, or within four times what short
+/// steps are off by, where the motion multiplies rounding.
+#[test]
+fn long_steps_are_as_near_to_the_motion_as_short_ones() {
+    let mut random = Random(87);
+    let (mut compared, mut worst) = (0, [0.0_f64; 2]);
+    for number in 0..crate::count(24, 300) {
+        let given = crate::long_steps::stiff(&mut random);
+        let system = System::new(&given).expect("valid");
+        let (n, until) = (given.mass.len(), 1.5);
+        if system.steps_per_time() * until > 6_000.0 || !system.has_long_steps(until) {
+            continue;
+        }
+        let start = State::rest(n);
+        let wide = System::<Wide>::new(&model(&given)).expect("valid");
+        // Where contacts share a force, 128 bits may not decide what f64 takes for one instant.
+        let Ok(truth) = wide.simulate(&State::rest(n), Wide::from_f64(until)) else { continue };
+        let far = |system: &System<f64>| {
+            let found = system.simulate(&start, until).expect("it moves");
+            let kinds = |m: &[stickslip::system::Event<f64>]| {
+                m.iter().map(|e| (e.element, e.kind)).collect::<Vec<_>>()
+            };
+            let due: Vec<_> = truth.events.iter().map(|e| (e.element, e.kind)).collect();
+            let pairs = [
+                (&found.end.displacement, &truth.end.displacement),
+                (&found.end.velocity, &truth.end.velocity),
+                (&found.max_velocity, &truth.max_velocity),
+            ];
+            let by = pairs.map(|(a, b)| {
+                let size = b.iter().map(|x| x.to_f64().abs()).fold(1e-300, f64::max);
+                a.iter().zip(b).map(|(&a, &b)| (Wide::from_f64(a) - b).to_f64().abs()).fold(0.0, f64::max)
+                    / size
+            });
+            (kinds(&found.events) == due, by.into_iter().fold(0.0, f64::max))
+        };
+        let (long, short) = (far(&system), far(&system.clone().by_short_steps()));
+        if !short.0 {
+            continue;
+        }
+        assert!(long.0, "{number}: other events\n{given:?}");
+        assert!(long.1 < 1e-10_f64.max(4.0 * short.1), "{number}: {long:?} {short:?}\n{given:?}");
+        compared += 1;
+        worst = [worst[0].max(long.1), worst[1].max(short.1)];
+    }
+    println!(
+        "{compared} stiff machines at 128 bits: long steps are off by {:e}, short ones by {:e}",
+        worst[0], worst[1]
+    );
+    assert!(compared >= crate::count(6, 80), "{compared}");
+}

@@ -207,7 +207,8 @@ impl NamedSystem {
         })
     }
 
-    /// Fails where a motion to this time has no length, or more steps than 10⁶ or the system's budget.
+    /// Fails where a motion to this time has no length, or more steps than 10⁶ or the system's budget, which only the motion itself tells where
+    /// fast modes do not shorten its steps.
     ///
     /// # Errors
     /// Names the greatest time.
@@ -217,7 +218,7 @@ impl NamedSystem {
         }
         let steps = self.system.most_steps().min(MOST_STEPS);
         let most = steps as f64 / self.system.steps_per_time();
-        if until <= most {
+        if until <= most || self.system.has_long_steps(until) {
             return Ok(());
         }
         let unit = if self.described.units.is_some() { " s" } else { "" };
