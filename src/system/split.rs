@@ -233,8 +233,10 @@ impl<F: Float> Split<F> {
         // (I − v ℓ) A′ (I − v ℓ).
         let mut taken = Matrix::zero(free, n);
         let first = Sparse::new(n, rest.rows().map(entries).chain(given.iter().cloned()));
-        let left: Vec<[Vec<F>; 2]> =
-            fast.iter().map(|mode| [&mode.row[0], &mode.row[1]].map(|row| transposed_product(&first, row))).collect();
+        let left: Vec<[Vec<F>; 2]> = fast
+            .iter()
+            .map(|mode| [&mode.row[0], &mode.row[1]].map(|row| transposed_product(&first, row)))
+            .collect();
         for (mode, [re, im]) in fast.iter().zip(&left) {
             for i in 0..free {
                 let (by, turned) = pair(&mode.shape, i);

@@ -135,9 +135,13 @@ fn apart(model: &Model<f64>, a: &Motion<f64>, b: &Motion<f64>) -> f64 {
         .fold(stored / work, f64::max)
 }
 
-/// The same machine with its bodies in the opposite order: other roundings of the same motion.
-fn reversed(model: &Model<f64>) -> Model<f64> {
+/// The same machine with its bodies in the opposite order and the masses greater by some roundings: the same motion as far as f64 can tell. A rounding of
+/// a stiff link is the ratio of the stiffnesses times that of a soft spring.
+fn rounded(model: &Model<f64>, by: f64) -> Model<f64> {
     let mut other = model.clone();
+    for (i, row) in other.mass.iter_mut().enumerate() {
+        row[i] *= 1.0 + by * f64::EPSILON;
+    }
     for matrix in [&mut other.mass, &mut other.damping, &mut other.stiffness] {
         matrix.reverse();
         matrix.iter_mut().for_each(|row| row.reverse());
@@ -152,7 +156,7 @@ fn reversed(model: &Model<f64>) -> Model<f64> {
 }
 
 /// The same events, and the same motion within 10⁻¹⁰, as with steps of the fastest mode: or, where a motion multiplies its own rounding (a
-/// contact that chatters with the ringing of a link), within four times what that rounding makes of the short steps themselves.
+/// contact that chatters with the ringing of a link) or that of its link, within four times what rounding makes of the short steps themselves.
 #[test]
 fn stiff_machines_move_as_by_short_steps() {
     let mut random = Random(78);
@@ -172,20 +176,23 @@ fn stiff_machines_move_as_by_short_steps() {
             (Ok(short), Ok(found)) => (short, found),
             (short, found) => panic!("{number}: {:?} {:?}\n{model:?}", short.err(), found.err()),
         };
-        let turned = System::new(&reversed(&model)).expect("valid").by_short_steps().simulate(&start, until);
-        let mut turned = turned.expect("it moves");
-        for list in [
-            &mut turned.end.displacement,
-            &mut turned.end.velocity,
-            &mut turned.max_displacement,
-            &mut turned.min_displacement,
-            &mut turned.max_velocity,
-            &mut turned.min_velocity,
-        ] {
-            list.reverse();
-        }
+        let turned = [3.0, -5.0].map(|by| {
+            let system = System::new(&rounded(&model, by)).expect("valid").by_short_steps();
+            let mut turned = system.simulate(&start, until).expect("it moves");
+            for list in [
+                &mut turned.end.displacement,
+                &mut turned.end.velocity,
+                &mut turned.max_displacement,
+                &mut turned.min_displacement,
+                &mut turned.max_velocity,
+                &mut turned.min_velocity,
+            ] {
+                list.reverse();
+            }
+            turned
+        });
         let list = |m: &Motion<f64>| m.events.iter().map(|e| (e.element, e.kind)).collect::<Vec<_>>();
-        if list(&turned) != list(&short) {
+        if turned.iter().any(|turned| list(turned) != list(&short)) {
             // Rounding decides an event.
             rough += 1;
             continue;
@@ -193,7 +200,8 @@ fn stiff_machines_move_as_by_short_steps() {
         compared += 1;
         long += usize::from(system.has_long_steps(until));
         assert_eq!(list(&found), list(&short), "{number}: {model:?}");
-        let (by, own) = (apart(&model, &found, &short), apart(&model, &turned, &short));
+        let own = turned.iter().map(|turned| apart(&model, turned, &short)).fold(0.0, f64::max);
+        let by = apart(&model, &found, &short);
         assert!(by < 1e-10_f64.max(4.0 * own), "{number}: {by:e} {own:e}\n{model:?}");
         if by < 1e-10 {
             worst = worst.max(by);
@@ -216,7 +224,7 @@ fn a_fast_mode_that_decides_is_not_passed_over() {
     let fast = 1e4_f64;
     let mut touched = 0;
     for (number, share) in [1e-1, 1e-3, 1e-5, 1e-7, 1e-9].into_iter().enumerate() {
-        for above in [-0.3, -1e-3, 1e-3, 0.3] {
+        for above in [-0.9, -0.3, -1e-3, 1e-3, 0.3] {
             let (a, b) = (1.0, share);
             // The least value of the sum is close to V − a − b, at t = 0 and wherever both cosines are 1; the slow one is flat there.
             let belt = a + b * (1.0 + above);
@@ -239,8 +247,11 @@ fn a_fast_mode_that_decides_is_not_passed_over() {
                 ..State::rest(2)
             };
             let value = |t: f64| belt - a * (slow_phase + t).cos() - b * (fast_phase + fast * t).cos();
-            // Where the sum is least: at the crests of the fast mode, and all around the slow one, which is flat there.
-            let crests = (1..4776).map(|k| (std::f64::consts::TAU * f64::from(k) - fast_phase) / fast);
+            // Where the sum is least: beside the crests of the fast mode, and all around the slow one, which is flat there.
+            let crests = (1..4776).flat_map(|k| {
+                let crest = std::f64::consts::TAU * f64::from(k) - fast_phase;
+                (-40..=40).map(move |part| (crest + f64::from(part) * 0.01) / fast)
+            });
             let beside = (-20_000..=20_000).map(|k| -slow_phase + f64::from(k) * 1e-7);
             let mut places: Vec<f64> = crests.chain(beside).collect();
             places.sort_by(f64::total_cmp);

@@ -433,15 +433,19 @@ fn long_steps_are_as_near_to_the_motion_as_short_ones() {
                 m.iter().map(|e| (e.element, e.kind)).collect::<Vec<_>>()
             };
             let due: Vec<_> = truth.events.iter().map(|e| (e.element, e.kind)).collect();
+            let sizes = |of: &[Wide]| of.iter().map(|x| x.to_f64().abs()).fold(0.0, f64::max);
+            let (reach, speed) = (
+                sizes(&truth.max_displacement).max(sizes(&truth.min_displacement)),
+                sizes(&truth.max_velocity),
+            );
             let pairs = [
-                (&found.end.displacement, &truth.end.displacement),
-                (&found.end.velocity, &truth.end.velocity),
-                (&found.max_velocity, &truth.max_velocity),
+                (&found.end.displacement, &truth.end.displacement, reach),
+                (&found.end.velocity, &truth.end.velocity, speed),
+                (&found.max_velocity, &truth.max_velocity, speed),
             ];
-            let by = pairs.map(|(a, b)| {
-                let size = b.iter().map(|x| x.to_f64().abs()).fold(1e-300, f64::max);
-                a.iter().zip(b).map(|(&a, &b)| (Wide::from_f64(a) - b).to_f64().abs()).fold(0.0, f64::max)
-                    / size
+            let by = pairs.map(|(a, b, size)| {
+                let far = a.iter().zip(b).map(|(&a, &b)| (Wide::from_f64(a) - b).to_f64().abs());
+                far.fold(0.0, f64::max) / size.max(1e-300)
             });
             (kinds(&found.events) == due, by.into_iter().fold(0.0, f64::max))
         };
