@@ -75,7 +75,9 @@ pub use foreign::Foreign;
 #[cfg(feature = "mp")]
 pub(crate) use mp::words;
 #[cfg(feature = "mp")]
-pub use mp::{Mp, ParseError, PrecisionError, ThreadPrecision, WIDTHS, WithPrecision, with_precision};
+pub use mp::{
+    Mp, ParseError, PrecisionError, ThreadPrecision, WIDTHS, Widest, WithPrecision, with_bits, with_precision,
+};
 pub(crate) use sign::Signed;
 #[doc(hidden)]
 pub use task::{AtPrecision, Task};

@@ -138,6 +138,28 @@ impl Sensitivities {
     }
 }
 
+/// An output that does not exist.
+const MISSING: Sensitivity = Sensitivity { value: f64::NAN, by: [f64::NAN; 5], at: [f64::NAN; 5] };
+
+/// One output with its derivatives; where it does not exist, all of them are NaN.
+///
+/// ```
+/// use stickslip::sensitivity::{Parameter, Sensitivities};
+/// use stickslip::{Drive, Oscillator, Output};
+/// let body = Oscillator::new(50.0, 1000.0, 5.0)?;
+/// let found = Sensitivities::by_parameters(&body, &Drive::force(12.0, 6.0)?)?;
+/// assert!((found[Output::MaxDisplacement].value - 0.012_136_68).abs() < 1e-8);
+/// assert!(found[Output::MaxDisplacement].by(Parameter::FrictionBound) < 0.0);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+impl core::ops::Index<Output> for Sensitivities {
+    type Output = Sensitivity;
+
+    fn index(&self, output: Output) -> &Sensitivity {
+        self.outputs.iter().find(|(name, _)| *name == output).map_or(&MISSING, |(_, found)| found)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::{Parameter, Sensitivities, Sensitivity};
@@ -176,7 +198,10 @@ mod tests {
         assert_eq!(border.value, Border::new(0.7).unwrap().min_force_ratio);
         let all = found.outputs.clone();
         assert!(all.len() > 10 && all.contains(&(Output::MaxDisplacement, delta)));
+        assert_eq!(found[Output::MaxDisplacement], delta);
         let sticking = machine(1.1);
+        let missing = sticking[Output::MaxDisplacement];
+        assert!(missing.value.is_nan() && missing.by(Parameter::Mass).is_nan());
         assert!(sticking.of(Output::MaxDisplacement).is_none() && sticking.outputs.len() < all.len());
     }
 

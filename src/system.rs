@@ -24,7 +24,7 @@
 //! `model.rs` is the description as it is given, `build.rs` builds it by the names of its bodies, `assembly.rs` checks it and builds rows over the state,
 //! `branch.rs` has the linear equation between two events and the proof of the certificate, `split.rs` the steps that its fast modes (`spectrum.rs`, `waves.rs`) do not shorten, `timeline.rs` has the samples of records in time, `first_passage.rs` the search for a
 //! guard's first zero, `next_branch.rs` the choice of the next branch, `dependent.rs` what contacts with dependent directions
-//! can hold, `blow.rs` what happens at stops with a restitution, `under.rs` the friction under their force, `massless.rs` and `tie.rs` what has no mass, `follow.rs` the motion from event to event, `follow/choose.rs` the choice of its branch, `events.rs` what watches it, `levels.rs` the passages of values,
+//! can hold, `blow.rs` what happens at stops with a restitution, `under.rs` the friction under their force, `massless.rs` and `tie.rs` what has no mass, `follow.rs` the motion from event to event, `follow/choose.rs` the choice of its branch, `events.rs` what watches it, `levels.rs` the passages of values, `mapped.rs` answers with other numbers in them, `precision.rs` thresholds that follow the precision,
 //! `spring.rs` the springs with laws, `grid.rs` many systems on all cores, `motion.rs` its answers, `steady.rs` the long run, `self_excited.rs` that without a load, `sliding.rs` the stability of steady sliding, and `border.rs` the closed form for one contact.
 
 mod assembly;
@@ -48,6 +48,7 @@ mod grid;
 mod joints;
 mod kept;
 mod levels;
+mod mapped;
 mod massless;
 mod matrix;
 mod mode;
@@ -56,6 +57,7 @@ mod modes;
 mod motion;
 mod next_branch;
 mod period_map;
+mod precision;
 mod propagator;
 mod rate;
 mod self_excited;
@@ -248,10 +250,6 @@ impl<F: Float> System<F> {
             let condition = "must repeat themselves: a steady motion has the period of a load";
             return Err(Error::Unsupported { name: "records".into(), condition });
         }
-        if !Drift::new(&self.assembly).carries(&self.assembly) {
-            let condition = "must come back, or take along what is on springs with it: prescribe its displacement, or its velocity";
-            return Err(Error::Unsupported { name: "moved".into(), condition });
-        }
         let records = self.assembly.records.iter().map(|record| F::int(2) * F::pi() / record.length());
         let frequencies: Vec<F> = self.assembly.frequencies.iter().copied().chain(records).collect();
         if frequencies.is_empty() {
@@ -259,6 +257,7 @@ impl<F: Float> System<F> {
             let mut frequencies = self.natural_frequencies(&[]);
             frequencies.extend(self.natural_frequencies(&all));
             let (longest, others) = self_excited::natural_periods(&frequencies, self.steps_per_time());
+            self.check_carried(longest)?;
             return self_excited::self_excited(
                 &self.assembly,
                 longest,
@@ -267,6 +266,7 @@ impl<F: Float> System<F> {
             );
         }
         let period = forced::common_period(&frequencies)?;
+        self.check_carried(period)?;
         // The longest own vibration, free or with all elements at rest.
         let slowest = || {
             let all: Vec<usize> = (0..self.assembly.parts.len()).collect();
@@ -275,6 +275,15 @@ impl<F: Float> System<F> {
             own.reduce(|a, b| if b < a { b } else { a }).map(|omega| F::int(2) * F::pi() / omega)
         };
         forced::steady(&self.assembly, period, slowest, self.follower(start, period)?)
+    }
+
+    /// Refuses what is prescribed to travel and pulls on a spring for ever.
+    fn check_carried(&self, period: F) -> Result<(), Error> {
+        if Drift::new(&self.assembly, period).carries(&self.assembly) {
+            return Ok(());
+        }
+        let condition = "must come back, or take along what is on springs with it: prescribe its displacement, or its velocity";
+        Err(Error::Unsupported { name: "moved".into(), condition })
     }
 
     /// The least load at which the only contact never sticks, for a system with one contact and one harmonic load.

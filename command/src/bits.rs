@@ -76,6 +76,18 @@ fn run_wide(bits: u32, task: impl Task) -> Outcome {
 
 #[cfg(any(not(feature = "mp"), test))]
 fn run_wide(bits: u32, _: impl Task) -> Outcome {
+    without_mp(bits)
+}
+
+/// Runs a computation over [`stickslip::float::Widest`] with at least the requested bits: one copy for all of them.
+#[cfg(all(feature = "mp", not(test)))]
+pub(crate) fn in_one_copy(bits: u32, computation: impl FnOnce() -> Outcome) -> Outcome {
+    stickslip::float::with_bits(bits, computation).map_err(|e| format!("--bits {bits}: {e}"))?
+}
+
+/// The failure of `--bits` in a build without wide numbers.
+#[cfg(any(not(feature = "mp"), test))]
+pub(crate) fn without_mp(bits: u32) -> Outcome {
     Err(format!("--bits {bits}: must be ≤ 53 in a build without the feature mp").into())
 }
 

@@ -22,7 +22,7 @@ use stickslip::design::{self, AmplitudeKind, Identified, Measurement, PhaseKind,
 use stickslip::uncertainty::Estimate;
 use stickslip::{Error, Oscillator};
 use stickslip_front::inputs::units::{Kind, Reader};
-use stickslip_front::inputs::{Given, Input, Role, critical_damping};
+use stickslip_front::inputs::{Given, Input, Role};
 use stickslip_front::names::name_and_unit;
 
 /// The greatest number of measurements.
@@ -61,7 +61,7 @@ pub(crate) fn run(args: &IdentifyArgs, out: &mut impl Write) -> Outcome {
     let file = Measured::read(&args.file, &name, &reader)?;
     note_mass_beside_columns(args, &reader);
     let reading = Reading { amplitude: args.amplitude, phase: args.phase };
-    let (critical, found, fitted) = question.answered(&file.curve, reading).map_err(|e| {
+    let (found, fitted) = question.answered(&file.curve, reading).map_err(|e| {
         // The message names the arguments if they are wrong, and otherwise the file.
         match e.quantity() {
             Some(_) if !matches!(e, Error::InMeasurement { .. }) => {
@@ -70,8 +70,7 @@ pub(crate) fn run(args: &IdentifyArgs, out: &mut impl Write) -> Outcome {
             _ => in_line(e, &name, &file.lines).into(),
         }
     })?;
-    let mut answer =
-        IdentifyAnswer::new(&given, (question.mass, critical), &found, &file, reading.amplitude)?;
+    let mut answer = IdentifyAnswer::new(&given, question.mass, &found, &file, reading.amplitude)?;
     match fitted {
         Some(Fitted::NaturalFrequency(estimate)) => {
             let hertz = given.system.name(Kind::Hertz);
@@ -134,23 +133,16 @@ impl Asked {
         Ok(Self { mass, stiffness, force })
     }
 
-    /// The fit, and the damping constant for each unit of its damping ratio.
+    /// The fit.
     fn answered(
         &self,
         curve: &[Measurement],
         reading: Reading,
-    ) -> Result<(f64, Identified, Option<Fitted>), Error> {
-        let Self { mass, stiffness, force } = *self;
-        let found = design::identify(mass, stiffness, force, curve, reading)?;
+    ) -> Result<(Identified, Option<Fitted>), Error> {
+        let found = design::identify(self.mass, self.stiffness, self.force, curve, reading)?;
         let natural = found.natural_frequency.map(Fitted::NaturalFrequency);
         let fitted = natural.or(found.force.map(Fitted::Force));
-        let critical = match (stiffness, found.natural_frequency) {
-            (Some(stiffness), _) if stiffness > 0.0 => critical_damping(mass, stiffness),
-            (None, Some(natural)) => critical_damping(mass, mass * natural.value.powi(2)),
-            // ζ is then c/(2 m ω₁), with the lowest frequency of the curve.
-            _ => 2.0 * mass * curve.iter().map(|m| m.angular_frequency).fold(f64::INFINITY, f64::min),
-        };
-        Ok((critical, found, fitted))
+        Ok((found, fitted))
     }
 }
 
@@ -270,7 +262,7 @@ struct IdentifyAnswer {
 impl IdentifyAnswer {
     fn new(
         given: &Given<f64>,
-        (mass, critical): (f64, f64),
+        mass: f64,
         found: &Identified,
         file: &Measured,
         amplitude_kind: AmplitudeKind,
@@ -286,7 +278,7 @@ impl IdentifyAnswer {
             friction_coefficient: EstimateRecord::of(&found.friction_bound, 1.0 / weight, unit(Kind::Ratio)),
             damping_ratio: (!given.is_without_spring())
                 .then(|| EstimateRecord::of(&found.damping_ratio, 1.0, unit(Kind::Ratio))),
-            damping: EstimateRecord::of(&found.damping_ratio, critical, unit(Kind::Damping)),
+            damping: EstimateRecord::of(&found.damping_ratio, found.critical_damping, unit(Kind::Damping)),
             natural_frequency: None,
             force: None,
             noise: found.noise,

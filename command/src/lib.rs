@@ -84,7 +84,8 @@ pub fn main() -> ExitCode {
 /// Numbers of thousands of bits are on the stack: without optimisation, a response of 8192 bits takes 13 MB of it.
 fn on_large_stacks(run: fn() -> ExitCode) -> ExitCode {
     // Where the system refuses such a thread, the ordinary one suffices for fewer bits.
-    match thread::Builder::new().name("main".to_owned()).stack_size(threads::STACK).spawn(run) {
+    let main = thread::Builder::new().name("main".to_owned()).stack_size(threads::STACK);
+    match threads::with_room(|| main.spawn(run)) {
         Ok(running) => running.join().unwrap_or_else(|panic| resume_unwind(panic)),
         Err(_) => run(),
     }

@@ -177,6 +177,11 @@ fn is_state(key: Key) -> bool {
 }
 
 impl Row {
+    /// A row of numbers that are wider than a double, or not.
+    pub(crate) fn of_numbers(fields: Vec<(Key, Cell<Number>)>, is_wide: bool) -> Self {
+        Self { fields, physical: Physical::default(), is_wide }
+    }
+
     /// The row without the values in units of a friction or of a spring that is not there.
     pub(crate) fn in_units_of(mut self, has_friction: bool, has_spring: bool) -> Self {
         let is_without = |key: Key| {

@@ -1,46 +1,46 @@
 //! `stickslip system`: several bodies with contacts, elastic contacts and stops.
 
+mod asked;
 mod options;
 mod picture;
 mod sketch;
 mod table;
+#[cfg(all(feature = "mp", not(test)))]
+mod wide;
 mod words;
 
-use crate::args::{Format, Header, LoadArgs, StreamFormat, SystemArgs, SystemQuestion};
+use crate::args::{SystemArgs, SystemQuestion};
 use crate::failure::{Failure, Outcome};
 use crate::figure::Target;
-use crate::interrupt;
 use crate::measured::Described as OfRecord;
-use crate::output::{self, PendingFile};
-use crate::row::{Cell, Cells};
+use crate::output;
 use crate::rows;
-use crate::sink::Sink;
-use options::{folder, is_json, note_of_units, path_and_value};
+use asked::{Shaking, is_table, named, of_file, sampled, samples, until_in_words};
+use options::is_json;
 use serde_json::Value;
 use std::io::{Read, Write};
 use std::path::Path;
-use stickslip::motion::record::Record;
-use stickslip::system::State;
 use stickslip_draw::Figure;
-use stickslip_front::inputs::units::Kind as Of;
-use stickslip_front::record::Summary;
 use stickslip_front::system::{
-    Answer, Digits, LONGEST, NamedSystem, OfBorder, Samples, Why, decoded, parsed,
+    Answer, Digits, LONGEST, NamedSystem, OfBorder, Why, decoded, parsed, parsed_as_typed,
 };
-
-/// The memory of the samples of a motion in bytes.
-const MEMORY: u64 = 200_000_000;
 
 pub(crate) fn run(args: &SystemArgs, out: &mut impl Write) -> Outcome {
     check_options(args)?;
-    let mut value = read(&args.file)?;
+    let mut value = read(&args.file, if args.bits.is_some() { parsed_as_typed } else { parsed })?;
     if let Some(text) = &args.law_tolerance {
         NamedSystem::set_tolerance(&mut value, text).map_err(|e| format!("--law-tolerance {text}: {e}"))?;
     }
-    if is_table(args) {
-        return table::run(&value, args, out);
+    if let Some(bits) = args.bits {
+        #[cfg(all(feature = "mp", not(test)))]
+        return wide::run(&value, args, bits, out);
+        #[cfg(any(not(feature = "mp"), test))]
+        return crate::bits::without_mp(bits);
     }
-    let (mut asked, read) = named(&value, args)?;
+    if is_table(args) {
+        return table::run(&value, args, None, out);
+    }
+    let (mut asked, read) = named(&value, &args.records, args)?;
     match args.question {
         SystemQuestion::Describe => describe(&asked, args, out),
         SystemQuestion::Steady => steady(&asked, args, out),
@@ -50,41 +50,13 @@ pub(crate) fn run(args: &SystemArgs, out: &mut impl Write) -> Outcome {
     }
 }
 
-/// Whether the answer is a row for each place of a grid.
-fn is_table(args: &SystemArgs) -> bool {
-    let is_grid = args.set.iter().any(|text| text.contains([':', ',']));
-    matches!(args.question, SystemQuestion::Curve | SystemQuestion::Spectrum)
-        || is_grid
-        || args.records.len() > 1
-}
-
 /// The value of the file.
-fn read(file: &Path) -> Result<Value, Failure> {
+fn read(file: &Path, parsed: fn(&str, &str) -> Result<Value, String>) -> Result<Value, Failure> {
     let name = file.display().to_string();
     let mut bytes = Vec::new();
     let read = rows::open(file, &name)?.take(LONGEST as u64 + 1).read_to_end(&mut bytes);
     read.map_err(|e| Failure::Input(format!("{name}: {e}")))?;
     Ok(parsed(&decoded(bytes, &name)?, &name)?)
-}
-
-/// A record, and what was read of its file.
-type Shaking = (Summary, Record<f64>);
-
-/// The system of a value with the values of `--set`, and with a record, if there is one.
-fn named(value: &Value, args: &SystemArgs) -> Result<(NamedSystem, Option<Shaking>), Failure> {
-    let set = args.set.iter().map(|text| path_and_value(text)).collect::<Result<Vec<_>, _>>()?;
-    let about = |e: String| Failure::Input(format!("{}: {e}", args.file.display()));
-    let found = NamedSystem::new(value, set, folder(args), args.units.units.as_ref()).map_err(about)?;
-    let (found, read) = match args.records.first() {
-        Some(file) => {
-            let (record, summary) =
-                crate::measured::read::<f64>(file, &LoadArgs::default(), &found.reader())?;
-            note_of_units(found.described.units.as_ref(), &file.display().to_string());
-            (found.with_record(&record, &file.display().to_string())?, Some((summary, record)))
-        }
-        None => (found, None),
-    };
-    Ok((found.while_allowed(interrupt::keep_going), read))
 }
 
 /// Refuses an option that the question does not use.
@@ -99,6 +71,7 @@ fn check_options(args: &SystemArgs) -> Outcome {
     uses("--until", args.until.is_some(), &[Q::Simulate, Q::Record, Q::Spectrum])?;
     uses("--samples", args.samples.is_some(), &[Q::Steady, Q::Simulate, Q::Record])?;
     uses("--frequency", args.frequency.is_some(), &[Q::Curve])?;
+    uses("--bits", args.bits.is_some(), &[Q::Steady, Q::Simulate, Q::Record, Q::Curve, Q::Border])?;
     uses("RECORD", !args.records.is_empty(), &[Q::Record, Q::Spectrum])?;
     let is_missing = |name: &str| Err(Failure::Input(format!("{name} is missing")));
     match args.question {
@@ -161,42 +134,17 @@ fn describe(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Write) -> Out
     words::describe(asked, args, out)
 }
 
-/// The end of the motion: `--until`, a time or a value that is passed, or the end of the records.
-fn until(asked: &mut NamedSystem, args: &SystemArgs) -> Result<f64, Failure> {
-    let Some(text) = &args.until else {
-        let end = asked.end_of_records();
-        asked.check_until(end, &format!("end of the records {}", crate::bits::digits(end)))?;
-        return Ok(end);
-    };
-    if text.contains('=') {
-        let until = asked.until_level(text).map_err(|e| format!("--until {e}"))?;
-        return Ok(until);
-    }
-    let until: f64 = asked.reader().value("--until", text, Of::Time)?;
-    asked.check_until(until, &format!("--until {text}"))?;
-    Ok(until)
-}
-
-/// The times of the samples that are asked for, from 0 on.
-fn samples(asked: &NamedSystem, args: &SystemArgs, until: f64) -> Result<Option<Vec<f64>>, Failure> {
-    let Some(text) = &args.samples else { return Ok(None) };
-    // Five lists of a state with what they take beside their numbers, which are four for each coordinate and one for each element.
-    let described = &asked.described;
-    let numbers = 4 * described.coordinates.len() + described.model.elements.len();
-    let count = crate::input::count("--samples", text, MEMORY / (300 + 8 * numbers as u64))?;
-    Ok(Some((0..=count).map(|i| until * (i as f64 / count as f64)).collect()))
-}
-
 fn simulate(
     asked: &mut NamedSystem,
     read: Option<&Shaking>,
     args: &SystemArgs,
     out: &mut impl Write,
 ) -> Outcome {
-    let until = until(asked, args)?;
+    let until = asked.until("--until", args.until.as_deref())?;
     let (asked, start) = (&*asked, &asked.described.start);
-    if let Some(times) = samples(asked, args, until)? {
-        return sampled(asked, args, start, &times, out);
+    if let Some(times) = samples(&asked.described, args, until)? {
+        let states = asked.states(start, &times).map_err(|e| of_file(args, e))?;
+        return sampled(&asked.described, args, &times, &states, out);
     }
     let (motion, digits) = asked.simulate(start, until).map_err(|e| of_file(args, e))?;
     drawn(args, || picture::motion(asked, start, &motion, &picture::title(&asked.described, "Motion")))?;
@@ -210,17 +158,17 @@ fn simulate(
     if let Some((summary, record)) = read {
         writeln!(out, "{}", crate::measured::lines(summary, record))?;
     }
-    let seconds = if asked.described.units.is_some() { " s" } else { "" };
-    writeln!(out, "The motion from the start to {}{seconds}.", crate::bits::digits(until))?;
+    until_in_words(&asked.described, &words::shown(&until), out)?;
     words::digits_known(&asked.described, digits.as_ref(), out)?;
     writeln!(out)?;
-    words::motion(&asked.described, &motion, out)
+    words::motion(&asked.described, &words::text_of(motion), out)
 }
 
 fn steady(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Write) -> Outcome {
     let (found, digits) = asked.steady(&asked.described.start).map_err(|e| of_file(args, e))?;
-    if let Some(times) = samples(asked, args, found.period)? {
-        return sampled(asked, args, &found.start, &times, out);
+    if let Some(times) = samples(&asked.described, args, found.period)? {
+        let states = asked.states(&found.start, &times).map_err(|e| of_file(args, e))?;
+        return sampled(&asked.described, args, &times, &states, out);
     }
     let title = || picture::title(&asked.described, &format!("Steady motion ({})", found.kind.name()));
     drawn(args, || picture::motion(asked, &found.start, &found.motion, &title()))?;
@@ -238,66 +186,15 @@ pub(crate) fn steady_motion(
     out: &mut impl Write,
 ) -> Outcome {
     words::steady(&asked.described, found, digits, out)?;
-    words::motion(&asked.described, &found.motion, out)
-}
-
-/// States at times, as CSV or JSON.
-fn sampled(
-    asked: &NamedSystem,
-    args: &SystemArgs,
-    start: &State<f64>,
-    times: &[f64],
-    out: &mut impl Write,
-) -> Outcome {
-    let format = match (args.format, args.out.as_deref().and_then(Path::extension)) {
-        (Some(Format::Json), Some(end)) if end != "json" => {
-            return Err("--format json: the name of --out must end in .json".into());
-        }
-        (Some(Format::Json), _) => None,
-        (None, Some(end)) if end == "parquet" => Some(StreamFormat::Parquet),
-        (Some(Format::Csv) | None, _) => Some(StreamFormat::Csv),
-        (Some(Format::Text | Format::Jsonl), _) => {
-            return Err("--format: must be csv or json with --samples".into());
-        }
-    };
-    let states = asked.states(start, times).map_err(|e| of_file(args, e))?;
-    let samples = Samples::new(&asked.described, times, &states);
-    let write = |mut out: &mut dyn Write| -> Outcome {
-        let Some(format) = format else {
-            return output::json(&samples, &mut out);
-        };
-        let keys: Vec<_> = samples.names().into_iter().map(table::key).collect();
-        let mut sink = Sink::new(format, out, Header::Names)?;
-        for row in samples.rows() {
-            let cells = row.into_iter().map(|x| Cell::Number(Some(x)));
-            let row: Vec<(_, Cell<f64>)> = keys.iter().copied().zip(cells).collect();
-            sink.write(&Cells::of(row).shown())?;
-        }
-        sink.finish()
-    };
-    match &args.out {
-        Some(file) => {
-            let argument = format!("--out {}", file.display());
-            PendingFile::create(file, &argument, args.overwrite)?.fill(|out| write(out))
-        }
-        None => write(out),
-    }
+    words::motion(&asked.described, &words::text_of(found.motion.clone()), out)
 }
 
 fn border(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Write) -> Outcome {
-    let found = asked.system.border().map_err(|e| of_file(args, e.into()))?;
-    // Below the border the cycle is no motion.
-    let cycle =
-        asked.system.cycle().map_err(|e| of_file(args, e.into()))?.filter(|cycle| cycle.margin >= 1.0);
+    let (found, cycle) = asked.border().map_err(|e| of_file(args, e.into()))?;
     if is_json(args)? {
         return output::json(&OfBorder::new(&found, cycle.as_ref()), out);
     }
-    words::border(&asked.described, &found, cycle.as_ref(), out)
-}
-
-/// An error of the engine, with the name of the file.
-fn of_file(args: &SystemArgs, error: Why) -> Failure {
-    Failure::from(error).about(&args.file.display().to_string())
+    words::border(&asked.described, &asked.described.model, &found, cycle.as_ref(), out)
 }
 
 impl From<Why> for Failure {

@@ -2,6 +2,7 @@
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::env;
+use std::hint::black_box;
 use std::sync::OnceLock;
 use std::thread;
 
@@ -10,6 +11,9 @@ use std::thread;
 pub(crate) const STACK: usize = 32 << 20;
 #[cfg(not(feature = "mp"))]
 pub(crate) const STACK: usize = 2 << 20;
+
+/// The memory that is left beside the stacks of the threads.
+const ROOM: usize = 16 << 20;
 
 /// The most threads for each processor: more of them have cost the system more than they answer.
 const MOST: usize = 8;
@@ -29,12 +33,21 @@ fn threads() -> Option<&'static Threads> {
         let asked = env::var("RAYON_NUM_THREADS").ok().and_then(|text| text.parse().ok());
         let count = asked.filter(|count| *count > 0).unwrap_or(processors).min(MOST * processors);
         let builder = |count| ThreadPoolBuilder::new().num_threads(count).stack_size(STACK);
-        let pool = builder(count).build().or_else(|_| builder(1).build());
+        let pool = with_room(|| builder(count).build().or_else(|_| builder(1).build()));
         let threads = pool.map(|pool| Threads { pool, is_alone: false });
         let alone = || builder(1).use_current_thread().build().map(|pool| Threads { pool, is_alone: true });
         threads.or_else(|_| alone()).ok()
     };
     THREADS.get_or_init(build).as_ref()
+}
+
+/// Starts threads, and leaves room beside their stacks, where the system gives so much: they would leave none for the answers.
+pub(crate) fn with_room<T>(start: impl FnOnce() -> T) -> T {
+    let mut room: Vec<u8> = Vec::new();
+    let _ = room.try_reserve_exact(ROOM);
+    let started = start();
+    drop(black_box(room));
+    started
 }
 
 /// Has the iterators of a piece of work run on the threads.

@@ -18,7 +18,7 @@ use crate::{input, interrupt};
 use serde::Serialize;
 use std::io::Write;
 use std::path::Path;
-use stickslip::motion::record::{Entry, Record, RecordAnswer, RecordMotion, RecordState};
+use stickslip::motion::record::{After, Entry, Record, RecordAnswer, RecordMotion, RecordState};
 use stickslip_draw::{Axis, Figure, Panel, Series, Style};
 use stickslip_front::inputs::units::{Kind, System};
 use stickslip_front::system::{Answer, OneBody, Repeated};
@@ -36,42 +36,135 @@ pub(crate) fn run(args: &RecordArgs, out: &mut impl Write) -> Outcome {
 /// The motion under a record that repeats itself.
 fn repeated(args: &RecordArgs, out: &mut impl Write) -> Outcome {
     if let Some(bits) = args.answer.bits.filter(|bits| *bits > f64::MANTISSA_DIGITS) {
-        return Err(format!("--bits {bits}: must be ≤ {} with --repeats", f64::MANTISSA_DIGITS).into());
+        return Err(format!(
+            "--bits {bits}: must be ≤ {} with --repeats, whose limit is found at this precision",
+            f64::MANTISSA_DIGITS
+        )
+        .into());
     }
-    let Shaken { given, body, record, summary, start, has_mass, .. } = Shaken::<f64>::read(args)?;
+    let files = Files::new(args)?;
+    let shaken = Shaken::<f64>::read(args)?;
+    let Shaken { given, body, record, summary, start, has_mass, .. } = &shaken;
     let system = given.system;
     if system.name(Kind::Acceleration) == "g" {
-        return Err("--units: must have no g with --repeats".into());
+        return Err(
+            "--units: must have no g with --repeats, such as kN,mm: its answer has no accelerations".into()
+        );
     }
     if !has_mass {
         input::note_unit_mass(&system);
     }
-    let one = OneBody::new(&body, system, start, Repeated::Record(&record));
+    let one = OneBody::new(body, system, *start, Repeated::Record(record));
     let one = one.map_err(|e| format!("{}: {e}", args.file.display()))?;
     let one = one.while_allowed(interrupt::keep_going);
     let found = one.steady()?;
+    if files.are_asked() {
+        let named = |e: stickslip::Error| Failure::Input(format!("{}: {e}", args.file.display()));
+        let (whole, end) = cycles(record, found.periods).map_err(named)?;
+        let [x, v] = [&found.start.displacement, &found.start.velocity].map(|list| list.first().copied());
+        let motion = |interval: f64| -> Result<RecordMotion<f64>, stickslip::Error> {
+            let mut motion = body.motion(&whole, x.unwrap_or(0.0), v.unwrap_or(0.0), interval)?;
+            let within = motion.states.partition_point(|state| state.time < end);
+            motion.states.truncate(within.saturating_add(1));
+            // A body that rests there does so as long as the load stays.
+            motion.states.last_mut().into_iter().for_each(|state| state.time = end);
+            Ok(motion)
+        };
+        let drawn = whole.clone().between(record.time(0), end).map_err(named)?;
+        files.write(&shaken, &drawn, |interval| motion(interval).map_err(named), out)?;
+    }
     if args.answer.format.is_json("record")? {
         let answer = Answer::steady(&one.system.described, &found);
-        return output::json(&Described::repeated(&answer, &summary), out);
+        return output::json(&Described::repeated(&answer, summary), out);
     }
-    writeln!(out, "{}\nIt repeats itself.\n", measured::line(&summary))?;
+    writeln!(out, "{}\nIt repeats itself.\n", measured::line(summary))?;
     steady_motion(&one.system, &found, None, out)
 }
 
-fn follow<F: Value>(args: &RecordArgs, out: &mut impl Write) -> Outcome {
-    args.look.needs("--picture", args.picture.as_deref())?;
-    if let Some(file) = &args.out {
-        if is_parquet(file) && !cfg!(feature = "parquet") {
-            return Err(format!("--out {}: needs a build with the feature parquet", file.display()).into());
+/// A number of cycles of a record in a row, after which the load stays for as long as a cycle, and the end of the cycles.
+fn cycles(record: &Record<f64>, count: usize) -> Result<(Record<f64>, f64), stickslip::Error> {
+    let (start, length) = (record.time(0), record.end() - record.time(0));
+    let begin = |turn: usize| start + turn as f64 * length;
+    let (mut times, mut values): (Vec<f64>, Vec<f64>) = (Vec::new(), Vec::new());
+    for turn in 0..count.max(1) {
+        for (place, &value) in record.samples().iter().enumerate() {
+            // The seam is one sample where both values are equal, and else a step.
+            if place == 0 && values.last() == Some(&value) {
+                continue;
+            }
+            let is_last = place.saturating_add(1) == record.samples().len();
+            let within = || begin(turn) + (record.time(place) - start);
+            times.push(if is_last { begin(turn.saturating_add(1)) } else { within() });
+            values.push(value);
         }
-        output::refuse_existing(file, &format!("--out {}", file.display()), args.overwrite)?;
     }
-    let target = Target::new("--picture", args.picture.as_deref(), args.overwrite, &args.look)?;
-    if args.interval.is_some() && args.out.is_none() {
-        return Err("--interval: needs a file for the motion, --out FILE.csv".into());
+    let end = begin(count.max(1));
+    times.push(end + length);
+    values.extend(values.last().copied());
+    Ok((Record::at_times(record.excitation(), times, values)?.followed_by(After::Hold), end))
+}
+
+/// The files of a motion that were asked for.
+struct Files<'a> {
+    args: &'a RecordArgs,
+    target: Target<'a>,
+}
+
+impl<'a> Files<'a> {
+    fn new(args: &'a RecordArgs) -> Result<Self, Failure> {
+        args.look.needs("--picture", args.picture.as_deref())?;
+        if let Some(file) = &args.out {
+            if is_parquet(file) && !cfg!(feature = "parquet") {
+                return Err(
+                    format!("--out {}: needs a build with the feature parquet", file.display()).into()
+                );
+            }
+            output::refuse_existing(file, &format!("--out {}", file.display()), args.overwrite)?;
+        }
+        let target = Target::new("--picture", args.picture.as_deref(), args.overwrite, &args.look)?;
+        if args.interval.is_some() && args.out.is_none() {
+            return Err("--interval: needs a file for the motion, --out FILE.csv".into());
+        }
+        Ok(Self { args, target })
     }
+
+    const fn are_asked(&self) -> bool {
+        self.args.out.is_some() || self.args.picture.is_some()
+    }
+
+    /// Writes the motion under a record, whose states are at most an interval apart.
+    fn write<F: Value>(
+        &self,
+        shaken: &Shaken<F>,
+        record: &Record<F>,
+        motion: impl Fn(F) -> Result<RecordMotion<F>, Failure>,
+        out: &mut impl Write,
+    ) -> Outcome {
+        let Self { args, target } = self;
+        let Shaken { given, interval, has_mass, .. } = shaken;
+        let system = given.system;
+        if let Some(file) = &args.out {
+            if let (Some(interval), Some(text)) = (*interval, &args.interval) {
+                refuse_many(record, interval, text)?;
+            }
+            let motion = motion(interval.unwrap_or_else(|| record.longest_step()))?;
+            let argument = format!("--out {}", file.display());
+            PendingFile::create(file, &argument, args.overwrite)?
+                .fill(|out| states(&motion, (system, *has_mass), file, out))?;
+        }
+        if args.picture.is_some() {
+            let motion = motion((record.end() - record.time(0)) / F::int(4000))?;
+            let machine = input::line(&args.machine, |_| true, &system);
+            target.draw(out, || Ok(drawing(record, &motion, (&system, *has_mass), &args.file, &machine)))?;
+        }
+        Ok(())
+    }
+}
+
+fn follow<F: Value>(args: &RecordArgs, out: &mut impl Write) -> Outcome {
+    let files = Files::new(args)?;
     let shaken = Shaken::<F>::read(args)?;
-    let Shaken { given, body, summary, start: [x0, v0], interval, has_mass, .. } = &shaken;
+    let Shaken { given, body, summary, start: [x0, v0], .. } = &shaken;
     let (system, read) = (given.system, measured::lines(summary, &shaken.record));
     let mirrored = args.both_polarities.then(|| shaken.record.clone().scaled(-F::int(1))).transpose()?;
     let (record, mirrored) = (&shaken.record, mirrored.as_ref());
@@ -81,21 +174,7 @@ fn follow<F: Value>(args: &RecordArgs, out: &mut impl Write) -> Outcome {
     let is_other_greater = other.as_ref().is_some_and(|other| peak(other) > peak(&own));
     let shown = if is_other_greater { mirrored.unwrap_or(record) } else { record };
     let named = |e: stickslip::Error| Failure::Input(format!("{}: {e}", args.file.display()));
-    let motion = |interval: F| body.motion(shown, *x0, *v0, interval).map_err(named);
-    if let Some(file) = &args.out {
-        if let (Some(interval), Some(text)) = (*interval, &args.interval) {
-            refuse_many(shown, interval, text)?;
-        }
-        let motion = motion(interval.unwrap_or_else(|| shown.longest_step()))?;
-        let argument = format!("--out {}", file.display());
-        PendingFile::create(file, &argument, args.overwrite)?
-            .fill(|out| states(&motion, (system, *has_mass), file, out))?;
-    }
-    if args.picture.is_some() {
-        let motion = motion((shown.end() - shown.time(0)) / F::int(4000))?;
-        let machine = input::line(&args.machine, |_| true, &system);
-        target.draw(out, || Ok(drawing(shown, &motion, (&system, *has_mass), &args.file, &machine)))?;
-    }
+    files.write(&shaken, shown, |interval| body.motion(shown, *x0, *v0, interval).map_err(named), out)?;
     let both = other.as_ref().map(|other| [&own, other]);
     let first = other.as_ref().filter(|_| is_other_greater).unwrap_or(&own);
     if args.answer.format.is_json("record")? {

@@ -7,6 +7,7 @@ mod answer;
 mod builder;
 mod built;
 mod curve;
+mod decimal;
 mod described;
 mod description;
 mod digits;
@@ -24,7 +25,11 @@ mod signals;
 mod smooth;
 mod spring;
 mod tabled;
+mod typed;
 mod unique;
+mod why;
+#[cfg(feature = "mp")]
+mod wide;
 mod written;
 
 pub use answer::{Answer, OfBorder, Samples, Units, is_contact, is_hard, kind_of};
@@ -33,9 +38,14 @@ pub use described::Described;
 pub use description::{Description, OfElement, OfSliding, OfThreshold};
 pub use file::{LONGEST, MOST_VALUES, decoded, parsed, units_of};
 pub use grid::{Asked, Axis, Cell, Grid, MOST_ROWS};
+pub use node::Number;
 pub use one_body::{OneBody, Repeated};
 pub use sentence::{
     border_verdict, digits_sentence, frequency_of, plural, sliding_verdict, steady_verdict, with_unit,
 };
-pub use tabled::{Digits, OfTable, Why};
+pub use tabled::{Digits, OfTable};
+pub use typed::parsed_as_typed;
+pub use why::Why;
+#[cfg(feature = "mp")]
+pub use wide::WideSystem;
 pub use written::File;

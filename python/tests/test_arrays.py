@@ -322,6 +322,38 @@ def test_the_formulae_of_the_help_are_those_of_the_answers():
                 assert found[name] == pytest.approx(value, rel=1e-11), name
 
 
+def test_an_array_of_one_machine_outside_the_domain_has_no_answer_as_any_other():
+    one = ss.Machine(mass=[-1.0], stiffness=800.0, friction=3.0)
+    drive = ss.Drive(force=9.0, frequency=3.0)
+    for found in (one.response(drive), one.steady(drive)):
+        assert found.regime.tolist() == ["invalid"] and np.isnan(found.max_displacement).tolist() == [True]
+
+
+def test_machines_in_parts_are_those_of_one_call(monkeypatch):
+    mass, friction = np.linspace(1, 2, 1000), np.full(1000, 3.0)
+    friction[950:] = 4.0
+    mass[[0, 700]] = -1.0
+    given = {"mass": mass, "stiffness": np.full(1000, 800.0), "friction": friction, "damping_ratio": 0.02}
+    whole = ss.Machine(**given)
+    monkeypatch.setattr("stickslip._result._BLOCK", 100)
+    found = ss.Machine(**given)
+    assert found == whole and vars(found)["_failed"] == vars(whole)["_failed"] and set(vars(found)["_failed"]) == {0, 700}
+    assert found.stiffness.strides != (0,) and np.isnan(found.mass[[0, 700]]).all() and found.friction[[949, 950]].tolist() == [3.0, 4.0]
+    assert ss.Machine(mass=mass[1:600], stiffness=800.0, friction=friction[1:600]).friction.strides == (0,)
+    assert found.replace(friction=5.0).mass[1:700].tolist() == mass[1:700].tolist()
+
+
+def test_a_machine_does_not_see_later_changes_of_an_array_that_is_shown_read_only():
+    own = np.array([1.0, 2.0])
+    shown = own.view()
+    shown.flags.writeable = False
+    machine, drive = ss.Machine(mass=shown, stiffness=800.0, friction=3.0), ss.Drive(force=9.0, frequency=np.broadcast_to(own[:1], 2))
+    lazy = ss.response(shown, 3.0)
+    own[:] = 7.0
+    assert machine.mass.tolist() == machine.replace(friction=2.0).mass.tolist() == [1.0, 2.0]
+    assert drive.frequency.tolist() == [1.0, 1.0] and lazy.omega.tolist() == [1.0, 2.0]
+
+
 def test_monte_carlo_is_that_of_each_draw():
     machine = ss.Machine("800 kg", period="2.2 s", friction_coefficient=0.05, damping_ratio=0.02, units="N,mm")
     drive = ss.Drive(base_acceleration="0.15 g", frequency="1.2 Hz")

@@ -223,7 +223,21 @@ def test_matrices_of_pandas_xarray_and_scipy_are_taken_in_one_order():
     array = xr.DataArray(turned.to_numpy(), dims=("row", "column"), coords={"row": names[::-1], "column": names[::-1]})
     for own in (turned, array, stiffness, pd.DataFrame(stiffness)):
         assert ss.System(mass=of_mass, stiffness=own).natural_angular_frequencies() == pytest.approx(due, rel=1e-14)
+        # The labels of the first name the coordinates.
+        system = ss.System(mass=of_mass, stiffness=own, constant=pd.Series({"block": 0.0, "roof": 5.0}), start={"velocity": [1, 0]})
+        frame = system.states([0.0, 1.0]).to_frame()
+        assert list(frame) == ["roof.displacement", "block.displacement", "roof.velocity", "block.velocity"]
+        assert frame["roof.velocity"].iloc[0] == 1 and frame["roof.displacement"].iloc[1] > frame["block.displacement"].iloc[1] > 0
+        labelled = own is turned or own is array
+        assert ss.System(mass=of_mass.to_numpy(), stiffness=own).coordinates == (("block", "roof") if labelled else ("q1", "q2"))
     scipy = pytest.importorskip("scipy.sparse")
     assert ss.System(mass=scipy.diags([1.0, 2.0]), stiffness=scipy.csr_array(stiffness)).natural_angular_frequencies() == pytest.approx(due, rel=1e-14)
+    with pytest.raises(ss.Error, match="constant: its values must have the labels of mass"):
+        ss.System(mass=of_mass, constant=pd.Series({"top": 5.0, "block": 0.0}))
+    given = ss.System(mass=np.eye(2), stiffness=stiffness, coordinates=["a b", "c"])
+    assert given.coordinates == ("a b", "c") and ss.System(**json.loads(given.to_json())).coordinates == ("a b", "c")
+    for wrong, why in ((["a"], "coordinates: has 1 names, must have 2"), (["a", "a"], "used twice"), (["a", "ground"], "the ground does not move"), ([1, 2], "must be a text")):
+        with pytest.raises(ss.Error, match=why):
+            ss.System(mass=np.eye(2), coordinates=wrong)
     with pytest.raises(ss.Error, match="stiffness: its rows and columns must have the labels of mass"):
         ss.System(mass=of_mass, stiffness=turned.rename(index={"roof": "top"}))

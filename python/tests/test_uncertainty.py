@@ -54,6 +54,31 @@ def test_a_record_has_draws_outside_the_domain_too():
         found.probability("sticking")
 
 
+@pytest.mark.parametrize("exact", [True, False])
+@pytest.mark.parametrize("outputs", [None, "max_displacement", ["regime", "transmissibility"]])
+def test_many_draws_are_answered_in_pieces_with_the_same_numbers(monkeypatch, exact, outputs):
+    vary = {"friction": 0.6, "frequency": (0.9, 1.1)}
+    whole = ss.monte_carlo(MACHINE, DRIVE, vary, draws=1050, seed=3, exact=exact, outputs=outputs)
+    monkeypatch.setattr("stickslip._uncertainty._MANY", 1000)
+    monkeypatch.setattr("stickslip._result._BLOCK", 100)
+    found = ss.monte_carlo(MACHINE, DRIVE, vary, draws=1050, seed=3, exact=exact, outputs=outputs)
+    assert set(found.answer._values) == (set() if outputs is None else set(found.answer))
+    restored = pickle.loads(pickle.dumps(found))
+    assert whole.invalid == found.invalid > 30 and found == whole == restored
+    assert list(found.answer) == list(whole.answer) and found.answer.units == whole.answer.units
+    for name in {*whole.answer, "mean_displacement", "max_velocity"}:
+        np.testing.assert_array_equal(found.answer[name], whole.answer[name], name)
+    for name in whole.answer.ratios:
+        np.testing.assert_array_equal(found.answer.ratios[name], whole.answer.ratios[name], name)
+    assert found.probability("sticking") == whole.probability("sticking") and found.mean("max_displacement") == whole.mean("max_displacement")
+    assert np.isnan(found.answer.max_displacement[found.drawn["friction"] < 0]).all()
+    none = ss.monte_carlo(MACHINE, DRIVE, {"friction": np.full(1001, -1.0)}, draws=1001, seed=3, exact=exact, outputs=outputs)
+    assert none.invalid == 1001
+    with pytest.raises(ValueError, match="read-only"):
+        # What is computed later is of these draws.
+        found.drawn["friction"][0] = 1.0
+
+
 def test_draws_are_copied_pickled_and_compared_by_value(drawn):
     assert pickle.loads(pickle.dumps(drawn)) == drawn == copy.deepcopy(drawn) and not drawn != copy.copy(drawn)
     other = ss.monte_carlo(MACHINE, DRIVE, {"friction": 0.9}, draws=400, seed=8)

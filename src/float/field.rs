@@ -64,7 +64,8 @@ pub trait Field:
 
 /// The operations that formulae with angles need in addition: π and the circular functions.
 pub trait Real: Field {
-    /// π, rounded once.
+    /// π, rounded once. It is a function, because that of a precision which is chosen while the program runs is no constant; `f32` and
+    /// `f64` have theirs in `core`.
     fn pi() -> Self;
     /// `(sin self, cos self)`, the argument in radians.
     fn sin_cos(self) -> (Self, Self);

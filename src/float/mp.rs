@@ -36,6 +36,6 @@ mod text;
 mod traits;
 pub(crate) mod words;
 
-pub use ladder::{PrecisionError, ThreadPrecision, WIDTHS, WithPrecision, with_precision};
+pub use ladder::{PrecisionError, ThreadPrecision, WIDTHS, Widest, WithPrecision, with_bits, with_precision};
 pub use raw::Mp;
 pub use text::ParseError;

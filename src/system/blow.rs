@@ -10,7 +10,7 @@
 //!
 //! **Ever smaller blows.** Under an acceleration a towards the stop a flight that begins with the velocity v takes 2 v/a and ends with v. The flights
 //! after a blow that arrives with v therefore take `2 e v/(a (1 − e))` together, a geometric sum. Where contacts turn during
-//! the flights, their ratio r is not e: the sum is `r/(1 − r)` times the last flight, with r as it is measured. The rest of the sum is taken where it is below 2⁻²⁴ of
+//! the flights, their ratio r is not e: the sum is `r/(1 − r)` times the last flight, with r as it is measured. The rest of the sum is taken where it is below 2⁻²⁴ (`small(24)`) of
 //! a step, and where its error `|a′| T²/a`, by the change of a within it, is below 2⁻⁴⁸ of a step. What moves across M⁻¹b meanwhile differs from the motion in
 //! touch by the third power of v: the flights are v²/2a high, and take v/a.
 //!
@@ -24,6 +24,7 @@ use super::dependent::least;
 use super::first_passage::{first_passage, shorten, value_and_slope};
 use super::matrix::{add_times, dot, size_of_dot};
 use super::mode::{Mode, places};
+use super::precision::small;
 use super::under::{Rub, rubbed, rubs};
 use crate::float::Float;
 use alloc::vec;
@@ -360,7 +361,7 @@ pub(crate) fn beside<F: Float>(system: &Assembly<F>, element: usize, touching: &
     for (part, share) in touching.iter().filter_map(|&i| system.parts.get(i)).zip(shares) {
         add_times(&mut row, -share, &part.direction);
     }
-    if dot(&row, &row) <= size * F::exp2i(-40) {
+    if dot(&row, &row) <= size * small(40) {
         row.fill(F::int(0));
     }
     row
@@ -414,9 +415,9 @@ impl<F: Float> Blows<F> {
         } else {
             F::int(2) * e * v / (pressing * (one - e))
         };
-        let is_short = time > zero && time <= step * F::exp2i(-24);
+        let is_short = time > zero && time <= step * small(24);
         // Also where it is not a number.
-        let is_known = pressing > zero && change.abs() * time * time <= pressing * step * F::exp2i(-48);
+        let is_known = pressing > zero && change.abs() * time * time <= pressing * step * small(48);
         (is_short && is_known).then_some(time)
     }
 }

@@ -27,9 +27,14 @@ pub(crate) struct Drift<F> {
 }
 
 impl<F: Float> Drift<F> {
-    pub(crate) fn new(system: &Assembly<F>) -> Self {
+    /// A spring k that a mass m does not notice in a time t, `k t² ≤ ε m`, is none: its limit would be found after 1/ε of these times.
+    pub(crate) fn new(system: &Assembly<F>, time: F) -> Self {
         let n = system.n;
-        let mut noticed: Vec<Vec<F>> = system.stiffness.rows().map(<[F]>::to_vec).collect();
+        let mut noticed: Vec<Vec<F>> = Vec::new();
+        let springs = system.stiffness.rows().map(<[F]>::to_vec);
+        noticed.extend(
+            springs.enumerate().filter(|(i, row)| !is_weak(system, time, *i, row)).map(|(_, row)| row),
+        );
         for part in &system.parts {
             let row = match &part.rule {
                 Rule::Stop { depth, .. } | Rule::Hard { depth, .. } => Some(depth.as_slice()),
@@ -162,6 +167,15 @@ impl<F: Float> Drift<F> {
     }
 }
 
+/// Whether the row of a body in K is too weak to change its motion in a time: `|k_ij| t² ≤ ε √(m_i m_j)`.
+fn is_weak<F: Float>(system: &Assembly<F>, time: F, i: usize, row: &[F]) -> bool {
+    let has_mass =
+        |i: usize| !system.massless.contains(&i) && system.moved.iter().all(|moved| moved.coordinate != i);
+    let root = |i: usize| system.mass.at(i, i).sqrt();
+    let weak = |j: usize, k: F| k.abs() * time * time <= F::epsilon() * root(i) * root(j);
+    has_mass(i) && row.iter().enumerate().all(|(j, &k)| k == F::int(0) || (has_mass(j) && weak(j, k)))
+}
+
 /// The sizes of displacements, velocities and forces that loads and frictions make, and the greatest rate of the springs.
 pub(crate) struct Natural<F> {
     pub(crate) sizes: [F; 3],
@@ -169,8 +183,8 @@ pub(crate) struct Natural<F> {
 }
 
 impl<F: Float> Natural<F> {
-    /// The sum of the loads and frictions, what it does to the springs or, without a spring, to the masses in a time, and the
-    /// velocities of belts.
+    /// The sum of the loads and frictions, what it does to the springs or, where they are so weak that it does less to the masses in a
+    /// time, to the masses, and the velocities of belts.
     pub(crate) fn new(system: &Assembly<F>, time: F) -> Self {
         let zero = F::int(0);
         let (n, free) = (system.n, system.free);
@@ -206,9 +220,10 @@ impl<F: Float> Natural<F> {
         let mass = (0..n).filter(|i| !moved(i) && !system.massless.contains(i)).map(|i| system.mass.at(i, i));
         let mass = mass.reduce(|a, b| if b < a { b } else { a }).unwrap_or(F::int(1));
         let rate = (stiffness / mass).sqrt();
-        let displacement = if stiffness > zero { force / stiffness } else { force / mass * time * time };
-        // A load F moves a mass on a spring by F/√(k m) at most, and one without a spring by F t/m.
-        let velocity = if stiffness > zero { displacement * rate } else { force / mass * time };
+        // A load F moves a mass on a spring by F/k and F/√(k m) at most, and one without a spring by F t²/m and F t/m.
+        let is_stiff = rate * time > F::int(1);
+        let displacement = if is_stiff { force / stiffness } else { force / mass * time * time };
+        let velocity = if is_stiff { displacement * rate } else { force / mass * time };
         let sizes = [displacement, velocity.or_larger(speed), force];
         Self { sizes: sizes.map(|x| if x.is_finite() { x } else { zero }), rate }
     }
@@ -228,7 +243,7 @@ mod tests {
         };
         let model =
             Model { mass: diagonal(3.0), damping: diagonal(1.0), stiffness, elements, ..Model::default() };
-        Drift::new(&System::new(&model).unwrap().assembly)
+        Drift::new(&System::new(&model).unwrap().assembly, 1.0)
     }
 
     /// Two bodies on a spring of 698 move as one; a spring of 10⁻⁹ of that to the ground, or a stop, holds them.

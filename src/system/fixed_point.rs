@@ -11,6 +11,7 @@
 use super::error::Error;
 use super::matrix::{Matrix, add_times, dot};
 use super::period_map::{Mapped, PeriodMap};
+use super::precision::small;
 use crate::float::Float;
 use alloc::vec;
 use alloc::vec::Vec;
@@ -159,7 +160,7 @@ pub(super) fn newton<F: Float>(
         }
         map.keep_bounds(&mut x);
     }
-    let is_found = |b: &Fixed<F>| b.by <= closed && b.next <= F::exp2i(-20);
+    let is_found = |b: &Fixed<F>| b.by <= closed && b.next <= small(20);
     Ok(best.filter(is_found).map(|mut fixed| {
         let all = eigenvalues(&fixed.derivative);
         fixed.multipliers = without_kept(all, fixed.kept, map.drift.count());

@@ -14,6 +14,7 @@ use super::massless;
 use super::matrix::{Sum, absolute, add_times, clear, dot, size_of_dot};
 use super::mode::{Mode, lock, slides, yields};
 use super::model::State;
+use super::precision::small;
 use super::propagator::Propagator;
 use super::waves::Complex;
 use crate::float::Float;
@@ -28,8 +29,10 @@ pub(super) fn most_steps<F>(system: &Assembly<F>) -> u64 {
     (512_000_000 / size).max(20_000)
 }
 
-/// After so many steps a motion asks whether to go on.
-const STEPS_BETWEEN_QUESTIONS: u64 = 512;
+/// After so many steps a motion asks whether to go on: one of thousands of bits takes a second.
+fn steps_between_questions<F: Float>() -> u64 {
+    if F::precision() > 64 { 1 } else { 512 }
+}
 
 /// Where no long step is possible, the next one is tried after so many short ones.
 const SHORT_STEPS: u32 = 8;
@@ -357,7 +360,9 @@ impl<'a, F: Float> Follower<'a, F> {
             if self.steps > self.most_steps {
                 return Err(Error::TooLong { time: written(self.time()), limit: self.most_steps });
             }
-            if self.steps.is_multiple_of(STEPS_BETWEEN_QUESTIONS) && (self.system.keep_going)().is_break() {
+            if self.steps.is_multiple_of(steps_between_questions::<F>())
+                && (self.system.keep_going)().is_break()
+            {
                 return Err(Error::Interrupted);
             }
             let fired = self.step(rest, end, watch)?;
@@ -453,7 +458,7 @@ impl<'a, F: Float> Follower<'a, F> {
             );
         }
         // A flight between small blows takes its time.
-        if lasted > branch.step * F::exp2i(-24) || (is_near && lasted > F::int(0)) {
+        if lasted > branch.step * small(24) || (is_near && lasted > F::int(0)) {
             self.instant = 0;
         }
         self.blows.moved(system, &self.sizes, part, lasted);

@@ -24,6 +24,7 @@ use super::follow::{Follower, most_steps};
 use super::matrix::add_times;
 use super::motion::Motion;
 use super::period_map::{Answers, Happened, Mapped, PeriodMap};
+use super::precision::small;
 use super::steady::{Steady, SteadyKind};
 use crate::float::Float;
 use crate::machine::error::written;
@@ -217,7 +218,7 @@ impl<'a, F: Float> Following<'a, F> {
         if first <= tiny || is_linear {
             return Ok(true);
         }
-        if !first.is_finite() || (fixed.is_first_order && first > F::exp2i(-24)) {
+        if !first.is_finite() || (fixed.is_first_order && first > small(24)) {
             return Ok(false);
         }
         let Some(&(re, im)) = fixed.multipliers.get(ones) else { return Ok(false) };
@@ -227,7 +228,7 @@ impl<'a, F: Float> Following<'a, F> {
         }
         // A vibration of its own that nothing damps is kept.
         if largest > 1.0 - 1e-9 {
-            return Ok(first <= F::exp2i(-30));
+            return Ok(first <= small(30));
         }
         // What a map does beside J must be less than the slowest part of the disturbance falls by, or another motion is as near.
         let small = F::from_f64(((1.0 - largest) / 4.0).min(0.125));

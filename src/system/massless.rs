@@ -180,8 +180,8 @@ fn accelerations<F: Float>(system: &Assembly<F>, branch: &Branch<F>, sizes: &[F]
 pub(crate) fn balance<F: Float>(system: &Assembly<F>, z: &mut [F], modes: &[Mode], open: &[usize]) {
     let is_light = |i: &&usize| system.parts.get(**i).is_some_and(|part| system.is_light(part));
     let open: Vec<usize> = open.iter().filter(is_light).copied().collect();
-    // The weak springs of a way take off 2⁻³⁰ of it: what is left after another two is below rounding.
-    for _ in 0..3 {
+    // The weak springs of a way take off 2⁻³⁰ of it: what is left after another two is below the rounding of a double.
+    for _ in 0..2 + F::precision() / 30 {
         let Some(step) = Implicit::new(system, z, modes, &open, None) else { return };
         for &i in &system.massless {
             let x = at(z, i) + at(&step.velocity, i);

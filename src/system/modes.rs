@@ -64,7 +64,7 @@ impl<F: Float> System<F> {
             return frequencies(&operator, operator.columns());
         }
         let mut operator = root.times(&stiffness).times(&root);
-        let most = operator.rows().flatten().fold(one, |sum, x| sum + x.abs());
+        let most = operator.rows().flatten().fold(zero, |sum, x| sum + x.abs());
         // Projected on the motions that the contacts allow; the others get the greatest values, which are left out.
         let mut allowed = Matrix::identity(n);
         for c in &holds {
@@ -85,7 +85,7 @@ impl<F: Float> System<F> {
 /// The least frequencies of an operator.
 fn frequencies<F: Float>(operator: &Matrix<F>, count: usize) -> Vec<F> {
     let (zero, n) = (F::int(0), operator.columns());
-    let most = operator.rows().flatten().fold(F::int(1), |sum, x| sum + x.abs());
+    let most = operator.rows().flatten().fold(zero, |sum, x| sum + x.abs());
     let is_symmetric = (0..n).all(|i| {
         (0..i).all(|j| (operator.at(i, j) - operator.at(j, i)).abs() <= most * F::epsilon() * F::int(64))
     });

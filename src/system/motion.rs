@@ -473,12 +473,14 @@ impl<F: Float> Watch<F> for Observer<F> {
             if matches!(mode, Mode::Stuck | Mode::Holds | Mode::Away) {
                 at_rest.add(time);
             }
-            if let Some((kind, instant)) = closed.take()
-                && matches!(mode, Mode::Stuck | Mode::Holds)
-            {
-                *caught += usize::from(kind == EventKind::Close);
-                // Ever smaller blows take some time yet.
-                at_rest.add(at - instant);
+            // Ever smaller blows take some time yet: a contact under them rests later, and their stop is open as long.
+            match (closed.take(), mode) {
+                (Some((kind, instant)), Mode::Stuck | Mode::Holds) => {
+                    *caught += usize::from(kind == EventKind::Close);
+                    at_rest.add(at - instant);
+                }
+                (Some((_, instant)), Mode::Resting) => at_rest.add(instant - at),
+                _ => {}
             }
         }
         stretch.taylor(&mut self.terms);

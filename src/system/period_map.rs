@@ -165,7 +165,7 @@ pub(super) type Answers<F> = (State<F>, Motion<F>);
 
 impl<'a, F: Float> PeriodMap<'a, F> {
     pub(super) fn new(system: &'a Assembly<F>, follower: Follower<'a, F>, period: F) -> Self {
-        let (drift, natural) = (Drift::new(system), Natural::new(system, period));
+        let (drift, natural) = (Drift::new(system, period), Natural::new(system, period));
         Self { system, follower, period, drift, natural, steps: 0 }
     }
 

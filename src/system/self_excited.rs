@@ -21,6 +21,7 @@ use super::follow::Follower;
 use super::following::{End, Following};
 use super::matrix::{Matrix, add_times, dot};
 use super::period_map::PeriodMap;
+use super::precision::small;
 use super::steady::{Steady, SteadyKind};
 use crate::float::Float;
 use alloc::vec;
@@ -265,7 +266,7 @@ fn newton_of_cycle<F: Float>(
         period = period + later;
         map.keep_bounds(&mut x);
     }
-    let found = best.filter(|b| b.fixed.by <= closed && b.fixed.next <= F::exp2i(-20));
+    let found = best.filter(|b| b.fixed.by <= closed && b.fixed.next <= small(20));
     Ok((
         found.map(|mut cycle| {
             let all = eigenvalues(&cycle.fixed.derivative);

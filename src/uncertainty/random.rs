@@ -165,6 +165,15 @@ impl MonteCarlo {
     }
 }
 
+/// The values of a kept output: [`MonteCarlo::values`].
+impl core::ops::Index<Output> for MonteCarlo {
+    type Output = [f64];
+
+    fn index(&self, output: Output) -> &[f64] {
+        self.values(output)
+    }
+}
+
 /// The answer for one draw, and its scales.
 fn answer(drawn: &Parameters<f64>) -> Result<(Response<f64>, Scales<f64>), Error> {
     let (body, drive) = drawn.machine()?;

@@ -69,6 +69,8 @@ fn a_block_bounces_until_the_sum_of_its_flights() {
             let falls = v * e.powi(k as i32);
             assert!((before / falls - 1.0).abs() < 1e-7 && (after + e * before).abs() < 1e-15 * v, "{e} {k}");
         }
+        // The stop is open until then.
+        assert!((motion.elements[0].time_at_rest / due - 1.0).abs() < 1e-14 / (1.0 - e), "{e}");
         assert_eq!(motion.elements[0].blows, blows.len());
         assert_eq!(motion.end.displacement, [0.0]);
         assert_eq!(motion.end.velocity, [0.0]);

@@ -352,6 +352,35 @@ fn a_plate_under_two_harmonics_drifts() {
     );
 }
 
+/// A spring that moves the plate by less than rounding in a period is none: the drift is that without it. With one that is weak and notices the
+/// place, the motion is still on its way after all periods that are followed, and no place on the way is called its limit.
+#[test]
+fn a_plate_on_a_spring_of_nothing_drifts() {
+    let model = |stiffness: f64| Model {
+        mass: vec![vec![10.0]],
+        damping: vec![vec![0.0]],
+        stiffness: vec![vec![stiffness]],
+        elements: vec![contact(vec![1.0], 20.0, 1.0)],
+        constant: vec![1.0],
+        harmonics: vec![Harmonic { frequency: TAU * 2.0, sin: vec![60.0], cos: vec![] }],
+        ..Model::default()
+    };
+    let steady = |stiffness: f64| System::new(&model(stiffness)).unwrap().steady(&State::rest(1)).unwrap();
+    let due = steady(0.0);
+    assert!((due.kind, due.drift[0] > 0.01) == (SteadyKind::Periodic, true));
+    for stiffness in [1e-300, 1e-100, 1e-20, 8e-15] {
+        let found = steady(stiffness);
+        assert_eq!(found.kind, SteadyKind::Periodic, "{stiffness}");
+        assert!((found.drift[0] / due.drift[0] - 1.0).abs() < 1e-12, "{stiffness}: {:?}", found.drift);
+    }
+    for stiffness in [1e-14, 1e-12, 1e-10, 1e-6, 1e-4] {
+        assert_eq!(steady(stiffness).kind, SteadyKind::Unsettled, "{stiffness}");
+    }
+    // At 10 N/m the constant force stretches the spring, and the motion is there after some periods.
+    let held = steady(10.0);
+    assert_eq!((held.kind, held.drift[0]), (SteadyKind::Periodic, 0.0));
+}
+
 /// A part on a vibrating track, whose normal load varies: by small steps 64.59793 mm/s.
 #[test]
 fn a_conveyor_carries_its_part() {

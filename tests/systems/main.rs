@@ -19,6 +19,7 @@ mod impacts;
 mod joints;
 mod law_ends;
 mod long_run;
+#[cfg(feature = "mp")]
 mod long_steps;
 mod massless;
 mod one_body;

@@ -94,7 +94,7 @@ pub(crate) struct SystemArgs {
     #[arg(long, conflicts_with_all = ["resume", "shard"])]
     pub(crate) resolve: bool,
     /// Another value of the file: NAME.FIELD=VALUE, such as bearing.friction=600N, or a grid of them, such as
-    /// bearing.friction=100N:1kN:20. May be given several times
+    /// bearing.friction=100N:900N:17. May be given several times
     #[arg(long, value_name = "PATH=VALUE")]
     pub(crate) set: Vec<String>,
     /// Force within which the tables of all laws that are curves are, such as "1 mN" [default: 2·10⁻⁴ of each law's own size, or its
@@ -125,6 +125,9 @@ pub(crate) struct SystemArgs {
     /// text or json, csv or json for --samples, csv, jsonl or json for a grid [default: text, and csv for rows]
     #[arg(long, value_enum, hide_possible_values = true)]
     pub(crate) format: Option<Format>,
+    /// Bits of precision, with steady, simulate, record, curve and border (needs a build with the feature mp)
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = super::bits)]
+    pub(crate) bits: Option<u32>,
     #[command(flatten)]
     pub(crate) units: UnitArgs,
 }

@@ -22,6 +22,14 @@ impl Number {
         }
     }
 
+    /// This number as a text of its digits.
+    pub(crate) fn into_text(self) -> Self {
+        match self {
+            Self::Double(x) => Self::Wide(x.to_string().into(), x.is_finite()),
+            wide @ Self::Wide(..) => wide,
+        }
+    }
+
     const fn is_finite(&self) -> bool {
         match self {
             Self::Double(x) => x.is_finite(),
@@ -38,7 +46,7 @@ impl Number {
     }
 
     /// Seven digits of a double, all of a wider number.
-    fn digits(&self) -> String {
+    pub(crate) fn digits(&self) -> String {
         match self {
             Self::Double(x) => bits::digits(*x),
             Self::Wide(text, _) => text.to_string(),

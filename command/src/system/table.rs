@@ -1,16 +1,16 @@
 //! A row for each place of a grid: of values in the file, of the loads' frequency, and of records.
 
+use super::options::{folder, note_of_units, path_and_value};
 use super::picture;
-use super::{folder, path_and_value};
 use crate::args::{Format, SweepFormat, SystemArgs, SystemQuestion};
 use crate::failure::{Failure, Outcome};
 use crate::figure::Target;
 use crate::interrupt;
 use crate::output;
 use crate::progress::Unanswered;
-use crate::row::{Cell, Cells, Row};
+use crate::row::{Cell, Cells, Number, Row};
 use crate::sweep::{Table, write_table};
-use serde_json::Value;
+use serde_json::Value as Json;
 use std::io::Write;
 use std::ops::Range;
 use stickslip::motion::record::Record as Load;
@@ -19,9 +19,15 @@ use stickslip_front::inputs::units::{Kind as Of, Reader};
 use stickslip_front::system::{Asked, Axis, Cell as Found, Grid, units_of};
 use stickslip_front::text::printable;
 
+/// The cells of the answer of a row, with the end of a motion as it is typed.
+pub(super) type Answered = fn(&Grid<'static>, u64, Option<&str>) -> Result<Vec<Cell<Number>>, Failure>;
+
 /// The rows of a grid.
 struct Rows {
     grid: &'static Grid<'static>,
+    /// The answers of rows in wider numbers than doubles.
+    wide: Option<Answered>,
+    until: Option<String>,
     keys: Vec<&'static Definition>,
     /// The names and the kinds of all rows.
     form: Row,
@@ -41,14 +47,14 @@ pub(super) fn key(name: String) -> &'static Definition {
 }
 
 /// The grid of the arguments.
-fn grid(value: &Value, args: &SystemArgs) -> Result<Grid<'static>, Failure> {
+fn grid(value: &Json, args: &SystemArgs) -> Result<Grid<'static>, Failure> {
     let about = |e: String| Failure::Input(format!("{}: {e}", args.file.display()));
     let units = args.units.units.or(units_of(value)?);
     let reader = Reader::new(units.as_ref(), "units in the file");
     let records = args.records.iter().map(|file| {
         let (record, _) = crate::measured::read::<f64>(file, &Default::default(), &reader)?;
         if value.get("masses").is_none() {
-            super::note_of_units(units.as_ref(), &file.display().to_string());
+            note_of_units(units.as_ref(), &file.display().to_string());
         }
         Ok((printable(&file.display().to_string()).into_owned(), record))
     });
@@ -78,8 +84,8 @@ fn grid(value: &Value, args: &SystemArgs) -> Result<Grid<'static>, Failure> {
         .map_err(about)
 }
 
-pub(super) fn run(value: &Value, args: &SystemArgs, out: &mut impl Write) -> Outcome {
-    let rows = Rows::new(value, args)?;
+pub(super) fn run(value: &Json, args: &SystemArgs, wide: Option<Answered>, out: &mut impl Write) -> Outcome {
+    let rows = Rows::new(value, args, wide)?;
     if let Some(file) = &args.picture {
         let target = Target::new("--picture", Some(file), args.overwrite, &args.look)?;
         let first = rows.grid.described()?;
@@ -106,10 +112,12 @@ pub(super) fn run(value: &Value, args: &SystemArgs, out: &mut impl Write) -> Out
 }
 
 impl Rows {
-    fn new(value: &Value, args: &SystemArgs) -> Result<Self, Failure> {
+    fn new(value: &Json, args: &SystemArgs, wide: Option<Answered>) -> Result<Self, Failure> {
         let grid = kept(grid(value, args)?);
         let mut rows = Self {
             grid,
+            wide,
+            until: args.until.clone(),
             keys: grid.names().iter().cloned().map(key).collect(),
             form: Cells::of(Vec::<(_, Cell<f64>)>::new()).shown(),
             failed: Unanswered::new("rows", 5),
@@ -120,21 +128,43 @@ impl Rows {
                 ("names".to_owned(), grid.names().join(",")),
                 ("grid".to_owned(), format!("{:?} {:?} {:?}", args.set, args.frequency, args.records)),
                 ("until".to_owned(), args.until.clone().unwrap_or_default()),
+                ("bits".to_owned(), args.bits.map_or_else(String::new, |bits| bits.to_string())),
                 ("shard".to_owned(), args.shard.clone().unwrap_or_default()),
             ],
         };
-        rows.form = rows.row(0, grid.blank());
+        rows.form = rows.row(0, rows.blank());
         Ok(rows)
     }
 
-    fn row(&self, point: u64, answer: &[Found<'static>]) -> Row {
-        let given = self.grid.given(point);
-        let cells = given.iter().chain(answer).map(cell);
-        Cells::of(self.keys.iter().copied().zip(cells).collect::<Vec<(_, Cell<f64>)>>()).shown()
+    fn row(&self, point: u64, answer: Vec<Cell<Number>>) -> Row {
+        let given = self.grid.given(point).into_iter();
+        let cells = given.map(|found| self.given(found)).chain(answer);
+        Row::of_numbers(self.keys.iter().copied().zip(cells).collect(), self.wide.is_some())
+    }
+
+    /// A value on an axis: a text of its digits, as the answers are, beside wider numbers.
+    fn given(&self, found: Found<'static>) -> Cell<Number> {
+        let shown = cell(&found).shown();
+        if let (Cell::Number(Some(number)), true) = (&shown, self.wide.is_some()) {
+            return Cell::Number(Some(number.clone().into_text()));
+        }
+        shown
+    }
+
+    /// The cells of a row without an answer.
+    fn blank(&self) -> Vec<Cell<Number>> {
+        self.grid.blank().iter().map(|found| cell(found).shown()).collect()
+    }
+
+    fn answer(&self, point: u64) -> Result<Vec<Cell<Number>>, Failure> {
+        match self.wide {
+            Some(answered) => answered(self.grid, point, self.until.as_deref()),
+            None => Ok(self.grid.answer(point)?.iter().map(|found| cell(found).shown()).collect()),
+        }
     }
 }
 
-const fn cell(found: &Found<'static>) -> Cell<f64> {
+pub(super) const fn cell<F: Copy>(found: &Found<'static, F>) -> Cell<F> {
     match *found {
         Found::Text(text) => Cell::Text(text),
         Found::Number(number) => Cell::Number(number),
@@ -227,12 +257,12 @@ impl Table for Rows {
         if interrupt::asked() {
             return vec![Err(Failure::Interrupted)];
         }
-        let row = match self.grid.answer(point) {
-            Ok(answer) => self.row(point, &answer),
+        let row = match self.answer(point) {
+            Ok(answer) => self.row(point, answer),
             Err(_) if interrupt::asked() => return vec![Err(Failure::Interrupted)],
             Err(why) => {
-                self.failed.say(&format!(" in row {}", point + 1), &why.into());
-                self.row(point, self.grid.blank())
+                self.failed.say(&format!(" in row {}", point + 1), &why);
+                self.row(point, self.blank())
             }
         };
         vec![Ok(row)]
@@ -244,7 +274,7 @@ impl Table for Rows {
     }
 
     fn is_on_grid(&self, line: &[u8], point: u64, is_csv: bool) -> Result<bool, Failure> {
-        let due = self.row(point, &[]).line(is_csv)?;
+        let due = self.row(point, Vec::new()).line(is_csv)?;
         let due = due.trim_ascii_end();
         let due = due.strip_suffix(b"}").unwrap_or(due);
         Ok(line.strip_prefix(due).is_some_and(|rest| rest.first() == Some(&b',')))

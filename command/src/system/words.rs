@@ -1,12 +1,15 @@
 //! A system and its steady motion in words.
 
 use crate::args::SystemArgs;
-use crate::bits::digits;
+use crate::bits::{Value, digits};
 use crate::failure::Outcome;
 use crate::note::line;
 use crate::output;
+use crate::row::Number;
 use std::io::Write;
-use stickslip::system::{Beyond, Border, Cycle, Element, Kind, Law, Motion, MovedBy, Steady, SteadyKind};
+use stickslip::system::{
+    Beyond, Border, Cycle, Element, Kind, Law, Model, Motion, MovedBy, Steady, SteadyKind,
+};
 use stickslip_front::inputs::units::{Kind as Of, System as Units};
 use stickslip_front::system::{
     Described, Description, Digits, NamedSystem, border_verdict, digits_sentence, frequency_of, is_contact,
@@ -213,20 +216,21 @@ pub(super) fn steady(
 }
 
 /// The least load that keeps the contact from sticking, and the motion at the load of the file.
-pub(super) fn border(
+pub(super) fn border<F: Value>(
     described: &Described,
-    found: &Border<f64>,
-    cycle: Option<&Cycle<f64>>,
+    model: &Model<F>,
+    found: &Border<F>,
+    cycle: Option<&Cycle<F>>,
     out: &mut impl Write,
 ) -> Outcome {
     let units = described.units.as_ref();
-    writeln!(out, "{}\n", border_verdict(described, found))?;
-    for harmonic in &described.model.harmonics {
+    writeln!(out, "{}\n", border_verdict(described, &found.map(&|x: &F| x.to_f64())))?;
+    for harmonic in &model.harmonics {
         for (i, name) in described.coordinates.iter().enumerate() {
-            let part = |list: &[f64]| list.get(i).copied().unwrap_or(0.0);
+            let part = |list: &[F]| list.get(i).copied().unwrap_or(F::int(0));
             let amplitude = part(&harmonic.sin).hypot(part(&harmonic.cos));
-            if amplitude > 0.0 {
-                let least = |factor: f64| with_unit(amplitude * factor, units, Of::Force);
+            if amplitude > F::int(0) {
+                let least = |factor: F| with_unit(amplitude * factor, units, Of::Force);
                 line(out, &format!("least load on {name}"), least(found.least_load_factor))?;
                 if let Some(release) = found.least_load_factor_from_rest {
                     line(out, &format!("load on {name} from rest"), least(release))?;
@@ -251,23 +255,45 @@ pub(super) fn border(
 /// The most events that a text lists.
 const LISTED: usize = 24;
 
+/// A number as it is written.
+pub(super) fn shown<F: Value>(x: &F) -> Number {
+    Number::of(*x)
+}
+
+/// A motion as it is written in words.
+pub(super) fn text_of<F: Value>(mut motion: Motion<F>) -> Motion<Number> {
+    without_rounding(&mut motion);
+    motion.map(&shown)
+}
+
+/// Takes out of the works what is below their rounding: it has no digit that is right.
+fn without_rounding<F: Value>(motion: &mut Motion<F>) {
+    let zero = F::int(0);
+    let works = motion.elements.iter().fold(zero, |sum, found| sum + found.work.abs());
+    let least = (works + motion.load_work.abs() + motion.damper_work.abs()) * F::epsilon() * F::int(4504);
+    let own = [&mut motion.load_work, &mut motion.damper_work, &mut motion.stored];
+    for work in motion.elements.iter_mut().map(|found| &mut found.work).chain(own) {
+        if work.abs() < least {
+            *work = zero;
+        }
+    }
+}
+
 /// A motion as text: its extremes, its elements and its events.
-pub(super) fn motion(described: &Described, motion: &Motion<f64>, out: &mut impl Write) -> Outcome {
+pub(super) fn motion(described: &Described, motion: &Motion<Number>, out: &mut impl Write) -> Outcome {
     let unit =
         |kind: Of| described.units.map_or_else(String::new, |system| format!(" {}", system.name(kind)));
-    // What is below the rounding of the works has no digit that is right.
-    let works: f64 = motion.elements.iter().map(|found| found.work.abs()).sum();
-    let least = 1e-12 * (works + motion.load_work.abs() + motion.damper_work.abs());
-    let work = |x: f64| format!("{}{}", digits(if x.abs() < least { 0.0 } else { x }), unit(Of::Energy));
+    let work = |x: &Number| format!("{}{}", x.digits(), unit(Of::Energy));
     let (length, velocity) = (unit(Of::Length), unit(Of::Velocity));
     for (i, name) in described.coordinates.iter().enumerate() {
-        let at = |list: &[f64]| list.get(i).copied().map_or_else(String::new, digits);
+        let at = |list: &[Number]| list.get(i).map_or_else(String::new, Number::digits);
         writeln!(out, "{name}")?;
-        let range = |least: &[f64], most: &[f64], unit: &str| format!("{} to {}{unit}", at(least), at(most));
+        let range =
+            |least: &[Number], most: &[Number], unit: &str| format!("{} to {}{unit}", at(least), at(most));
         line(out, "displacement", range(&motion.min_displacement, &motion.max_displacement, &length))?;
         line(out, "velocity", range(&motion.min_velocity, &motion.max_velocity, &velocity))?;
-        if let Some(&most) = motion.max_absolute_acceleration.get(i) {
-            line(out, "absolute acceleration", format!("up to {}{}", digits(most), unit(Of::Acceleration)))?;
+        if let Some(most) = motion.max_absolute_acceleration.get(i) {
+            line(out, "absolute acceleration", format!("up to {}{}", most.digits(), unit(Of::Acceleration)))?;
         }
     }
     for (element, found) in described.model.elements.iter().zip(&motion.elements) {
@@ -281,17 +307,17 @@ pub(super) fn motion(described: &Described, motion: &Motion<f64>, out: &mut impl
         let seconds = if described.units.is_some() { " s" } else { "" };
         if let Some(rest) = rest {
             let times = plural(found.stops, "time", "times");
-            line(out, rest, format!("{}{seconds}, {times}", digits(found.time_at_rest)))?;
+            line(out, rest, format!("{}{seconds}, {times}", found.time_at_rest.digits()))?;
         }
         if is_hard(element) {
             line(out, "blows", digits(found.blows as f64))?;
         }
-        line(out, "work", work(found.work))?;
+        line(out, "work", work(&found.work))?;
     }
     writeln!(out, "energy")?;
-    line(out, "work of the loads", work(motion.load_work))?;
-    line(out, "work on the dampers", work(motion.damper_work))?;
-    line(out, "stored", work(motion.stored))?;
+    line(out, "work of the loads", work(&motion.load_work))?;
+    line(out, "work on the dampers", work(&motion.damper_work))?;
+    line(out, "stored", work(&motion.stored))?;
     if motion.events.is_empty() {
         return Ok(writeln!(out, "no events")?);
     }
@@ -299,10 +325,10 @@ pub(super) fn motion(described: &Described, motion: &Motion<f64>, out: &mut impl
     for event in motion.events.iter().take(LISTED) {
         let name = described.name_of(event.element);
         let seconds = if described.units.is_some() { " s" } else { "" };
-        let from_to = event.velocities.map_or_else(String::new, |(before, after)| {
-            format!(" from {} to {}{velocity}", digits(before), digits(after))
+        let from_to = event.velocities.as_ref().map_or_else(String::new, |(before, after)| {
+            format!(" from {} to {}{velocity}", before.digits(), after.digits())
         });
-        writeln!(out, "  {:>14}{seconds}  {name}: {}{from_to}", digits(event.time), event.kind)?;
+        writeln!(out, "  {:>14}{seconds}  {name}: {}{from_to}", event.time.digits(), event.kind)?;
     }
     if motion.events.len() > LISTED {
         let more = motion.events.len() - LISTED;

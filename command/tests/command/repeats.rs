@@ -73,6 +73,60 @@ fn many_cycles_lead_to_it() {
     }
 }
 
+/// The file of a record that repeats itself has its cycle: each of its states is one of the last of 120 cycles, it ends as it begins, and a rest
+/// over the seam lasts to the end.
+#[test]
+fn its_cycle_is_written() {
+    let rows = |file: &str| -> Vec<Vec<f64>> {
+        let text = std::fs::read_to_string(file).unwrap();
+        text.lines().skip(1).map(|row| row.split(',').map(|cell| cell.parse().unwrap()).collect()).collect()
+    };
+    let cases = [
+        ("force[N]", vec![(0.0, 0.5), (0.4, 3.0), (0.7, 2.0), (1.1, -3.5), (1.4, -1.0), (1.6, 0.5)]),
+        // It rests at the seam, where the load jumps.
+        ("force[N]", vec![(0.0, 0.1), (0.2, 0.1), (0.4, 4.0), (1.0, -4.0), (1.2, 0.3), (1.6, -0.1)]),
+        ("acceleration[m/s^2]", vec![(0.0, 2.0), (0.8, -4.0), (1.6, -1.0)]),
+    ];
+    for (place, (header, cycle)) in cases.iter().enumerate() {
+        let (folder, [one, many]) = cycles(&format!("repeats_out_{place}"), header, cycle);
+        // Where the load jumps at the seam, the row at it stands twice.
+        if cycle[0].1 != cycle.last().unwrap().1 {
+            let row = |i: u32| cycle.iter().map(move |(t, x)| format!("{:.6},{x}\n", f64::from(i) * 1.6 + t));
+            let text: String = (0..120).flat_map(row).collect();
+            std::fs::write(&many, format!("time[s],{header}\n{text}")).unwrap();
+        }
+        let machine =
+            "--units N,m --mass 2 --stiffness 9 --friction 1.3 --static-friction-ratio 1.1 --damping 0.4";
+        let [ours, all] = ["ours.csv", "all.csv"].map(|name| folder.join(name).display().to_string());
+        stdout(&format!("record {one} {machine} --repeats --out {ours} --interval 0.02"));
+        stdout(&format!("record {many} {machine} --out {all} --interval 0.0005"));
+        let (ours, all) = (rows(&ours), rows(&all));
+        assert!(ours.len() > 20, "{ours:?}");
+        let (first, last) = (&ours[0], ours.last().unwrap());
+        agree(last[0] - first[0], 1.6, 1e-12);
+        agree(last[1], first[1], 1e-12);
+        agree(last[2], first[2], 1e-12);
+        for row in &ours {
+            let time = 118.0 * 1.6 + row[0];
+            let before = all.iter().rev().find(|other| other[0] <= time + 1e-9).unwrap();
+            // A parabola over at most one interval, or a rest.
+            let late = if before[4] == 0.0 { 0.0 } else { time - before[0] };
+            agree(row[1], before[1] + before[2] * late + before[3] * late * late / 2.0, 1e-8);
+        }
+    }
+    // The seam of a record of which the motion rests there: its last row has the load of the last sample.
+    let (folder, [one, _]) = cycles("repeats_out_rest", "force[N]", &cases[1].1);
+    let out = folder.join("rest.csv").display().to_string();
+    stdout(&format!(
+        "record {one} --units N,m --mass 2 --stiffness 9 --friction 2 --damping 3 --repeats --out {out} --picture {out}.svg"
+    ));
+    let found = rows(&out);
+    let last = found.last().unwrap();
+    assert_eq!((last[0], last[2], last[4]), (1.6, 0.0, 0.0), "{found:?}");
+    agree(*last.last().unwrap(), -0.1, 1e-12);
+    assert!(std::fs::read_to_string(format!("{out}.svg")).unwrap().starts_with("<svg"));
+}
+
 /// The answer is that of a system with the same body, to the last digit.
 #[test]
 fn it_is_that_of_a_system() {
@@ -137,9 +191,14 @@ fn what_it_does_not_have_is_refused() {
     let machine =
         format!("record {one} --units N,m --mass 2 --stiffness 9 --friction 1 --damping 1 --repeats");
     refused(&machine, &[&one, "must end with its first value where it repeats itself"]);
-    for option in
-        ["--after hold", "--both-polarities", "--enclose", "--one-way", "--out x.csv", "--floor-spectrum 1s"]
-    {
+    for option in [
+        "--after hold",
+        "--both-polarities",
+        "--enclose",
+        "--one-way",
+        "--interval 1s",
+        "--floor-spectrum 1s",
+    ] {
         let name = option.split(' ').next().unwrap();
         refused(&format!("{machine} {option}"), &[name]);
     }

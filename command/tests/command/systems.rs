@@ -1,5 +1,7 @@
 //! `stickslip system` from the user's side: cases of other projects, a file of named bodies, and what is wrong with files.
 
+#[cfg(feature = "mp")]
+mod digits;
 mod drives;
 mod joints;
 mod pictures;

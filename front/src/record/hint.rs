@@ -56,7 +56,8 @@ pub(super) fn led(error: String, head: &Head, options: &Options<'_>) -> String {
     let numbers: Vec<String> = (1..=most).map(|place| place.to_string()).collect();
     let words = options.words;
     // Where a name, its unit or an option is at fault, the header is one: without it the numbers would be others.
-    let may_skip = !words.skip.is_empty() && !error.contains("unit") && !error.contains("must be left out");
+    let is_header = ["unit", "must be left out", "has no column of"].iter().any(|part| error.contains(part));
+    let may_skip = !words.skip.is_empty() && !is_header;
     let skips = [0].into_iter().chain(before_rows(head).filter(|skip| *skip > 0 && may_skip));
     for skip in skips {
         let base = Options { skip, ..*options };

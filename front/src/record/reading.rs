@@ -51,7 +51,14 @@ impl Summary {
         // The field has the name of the column, which sentences do not use.
         let quantity = self.quantity.replace("foot", "support");
         let channel = self.channel.as_ref().map_or(String::new(), |channel| format!(" “{channel}”"));
-        let unequal = || format!("at unequal steps of {} s to {} s", number(*least), number(*most));
+        let unequal = || {
+            let [shortest, longest] = [number(*least), number(*most)];
+            // Steps that are nearly equal differ in their last digits.
+            match shortest == longest {
+                true => format!("at unequal steps of {least} s to {most} s"),
+                false => format!("at unequal steps of {shortest} s to {longest} s"),
+            }
+        };
         let step = self.time_step.map_or_else(unequal, |step| format!("{} s apart", number(step)));
         let notes: String = self.notes.iter().map(|note| format!(" {note}")).collect();
         format!(

@@ -128,6 +128,9 @@ impl<'a, F: Float + FromStr> Samples<'a, F> {
             notes.extend(told(stated, &record, &unit, options));
         }
         let record = process::as_asked(record, &unit, options, &mut notes)?;
+        // A cut may leave equal steps, as of a file that was cut by hand.
+        let is_cut = options.from.is_some() || options.to.is_some();
+        let record = if is_cut { evened(record).map_err(named)? } else { record };
         // Values with units of their own are those of the system.
         let told = |value: F| match unit.factor {
             Some(_) => value,
@@ -156,6 +159,15 @@ impl<'a, F: Float + FromStr> Samples<'a, F> {
         let record = record.mapped(|sample| unit.times(sample)).map_err(named)?;
         Ok(Reading { record, summary, unused })
     }
+}
+
+/// The record with one step, where its times are equally spaced.
+fn evened<F: Float>(record: Record<F>) -> Result<Record<F>, Error> {
+    let times = || -> Vec<F> { (0..record.samples().len()).map(|index| record.time(index)).collect() };
+    let found = if record.step().is_none() { even(&times()) } else { None };
+    let Some((start, step)) = found else { return Ok(record) };
+    let new = Record::new(record.excitation(), step, record.samples().to_vec())?;
+    Ok(new.beginning_at(start)?.followed_by(record.after()))
 }
 
 /// The sample of greatest magnitude, with its place.

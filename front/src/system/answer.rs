@@ -8,81 +8,81 @@ use stickslip::system::{Border, Cycle, Element, Kind, Motion, State, Steady};
 
 /// Displacements and velocities.
 #[derive(Debug, Clone, Serialize)]
-struct Place<'a> {
-    displacement: &'a [f64],
-    velocity: &'a [f64],
+struct Place<'a, N> {
+    displacement: &'a [N],
+    velocity: &'a [N],
 }
 
-impl<'a> Place<'a> {
-    fn of(state: &'a State<f64>) -> Self {
-        Self { displacement: &state.displacement, velocity: &state.velocity }
+impl<'a, N> Place<'a, N> {
+    const fn of(state: &'a State<N>) -> Self {
+        Self { displacement: state.displacement.as_slice(), velocity: state.velocity.as_slice() }
     }
 }
 
 /// The answers of an element.
 #[derive(Debug, Clone, Serialize)]
-struct OfElement<'a> {
+struct OfElement<'a, N> {
     name: &'a str,
     kind: &'static str,
-    time_at_rest: f64,
+    time_at_rest: &'a N,
     stops: usize,
     /// Of a stop with a restitution.
     #[serde(skip_serializing_if = "Option::is_none")]
     blows: Option<usize>,
-    work: f64,
+    work: &'a N,
 }
 
 #[derive(Debug, Clone, Serialize)]
-struct OfEvent<'a> {
-    time: f64,
+struct OfEvent<'a, N> {
+    time: &'a N,
     /// The place of the element in the file, from 0; the levels follow the elements.
     element: usize,
     name: &'a str,
     kind: &'static str,
     /// The velocities along the stop before and after a blow.
     #[serde(skip_serializing_if = "Option::is_none")]
-    velocity_before: Option<f64>,
+    velocity_before: Option<&'a N>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    velocity_after: Option<f64>,
+    velocity_after: Option<&'a N>,
 }
 
-/// A motion, or a period of a steady one.
+/// A motion, or a period of a steady one. The numbers are those of an engine, or texts of their digits.
 #[derive(Debug, Clone, Serialize)]
-pub struct Answer<'a> {
+pub struct Answer<'a, N = f64> {
     kind: &'a str,
     #[serde(skip_serializing_if = "Option::is_none")]
-    period: Option<f64>,
+    period: Option<&'a N>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    duration: Option<f64>,
+    duration: Option<&'a N>,
     coordinates: &'a [String],
-    start: Place<'a>,
+    start: Place<'a, N>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    end: Option<Place<'a>>,
-    max_displacement: &'a [f64],
-    min_displacement: &'a [f64],
-    max_velocity: &'a [f64],
-    min_velocity: &'a [f64],
+    end: Option<Place<'a, N>>,
+    max_displacement: &'a [N],
+    min_displacement: &'a [N],
+    max_velocity: &'a [N],
+    min_velocity: &'a [N],
     /// On a base that moves.
-    #[serde(skip_serializing_if = "<[f64]>::is_empty")]
-    max_absolute_acceleration: &'a [f64],
-    elements: Vec<OfElement<'a>>,
-    events: Vec<OfEvent<'a>>,
-    load_work: f64,
-    damper_work: f64,
-    stored_energy: f64,
+    #[serde(skip_serializing_if = "<[N]>::is_empty")]
+    max_absolute_acceleration: &'a [N],
+    elements: Vec<OfElement<'a, N>>,
+    events: Vec<OfEvent<'a, N>>,
+    load_work: &'a N,
+    damper_work: &'a N,
+    stored_energy: &'a N,
     /// The displacement of each coordinate in a period that no force notices, and the mean velocity.
     #[serde(skip_serializing_if = "Option::is_none")]
-    drift: Option<&'a [f64]>,
+    drift: Option<&'a [N]>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    mean_velocity: Option<&'a [f64]>,
+    mean_velocity: Option<&'a [N]>,
     #[serde(skip_serializing_if = "Option::is_none")]
     multipliers: Option<&'a [(f64, f64)]>,
     /// The change of the motion over the last period that was followed, relative to its size, and the factor of this change from period to
     /// period.
     #[serde(skip_serializing_if = "Option::is_none")]
-    change: Option<f64>,
+    change: Option<&'a N>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    decay: Option<f64>,
+    decay: Option<&'a N>,
     #[serde(skip_serializing_if = "Option::is_none")]
     periods: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -134,7 +134,7 @@ impl Units {
 }
 
 /// The kind of an element in a word.
-pub const fn kind_of(element: &Element<f64>) -> &'static str {
+pub const fn kind_of<N>(element: &Element<N>) -> &'static str {
     match element.kind {
         Kind::Contact { .. } | Kind::UnderStop { .. } => "contact",
         Kind::Elastic { .. } => "elastic",
@@ -151,18 +151,18 @@ pub const fn is_contact(element: &Element<f64>) -> bool {
 
 /// Whether an element is a stop with a restitution.
 #[must_use]
-pub const fn is_hard(element: &Element<f64>) -> bool {
+pub const fn is_hard<N>(element: &Element<N>) -> bool {
     matches!(element.kind, Kind::HardStop { .. })
 }
 
-impl<'a> Answer<'a> {
+impl<'a, N> Answer<'a, N> {
     /// This answer with what is known of its digits.
     #[must_use]
     pub fn with_digits(self, laws: Option<&'a Digits>) -> Self {
         Self { laws, ..self }
     }
 
-    fn of(described: &'a Described, motion: &'a Motion<f64>, start: &'a State<f64>, kind: &'a str) -> Self {
+    fn of(described: &'a Described, motion: &'a Motion<N>, start: &'a State<N>, kind: &'a str) -> Self {
         let elements = described.model.elements.iter().zip(&motion.elements);
         let units = Units::of(described)
             .map(|(units, system)| Units { work: Some(system.name(Of::Energy)), ..units });
@@ -182,27 +182,27 @@ impl<'a> Answer<'a> {
                 .map(|(element, found)| OfElement {
                     name: &element.name,
                     kind: kind_of(element),
-                    time_at_rest: found.time_at_rest,
+                    time_at_rest: &found.time_at_rest,
                     stops: found.stops,
                     blows: is_hard(element).then_some(found.blows),
-                    work: found.work,
+                    work: &found.work,
                 })
                 .collect(),
             events: motion
                 .events
                 .iter()
                 .map(|event| OfEvent {
-                    time: event.time,
+                    time: &event.time,
                     element: event.element,
                     name: described.name_of(event.element),
                     kind: event.kind.name(),
-                    velocity_before: event.velocities.map(|pair| pair.0),
-                    velocity_after: event.velocities.map(|pair| pair.1),
+                    velocity_before: event.velocities.as_ref().map(|pair| &pair.0),
+                    velocity_after: event.velocities.as_ref().map(|pair| &pair.1),
                 })
                 .collect(),
-            load_work: motion.load_work,
-            damper_work: motion.damper_work,
-            stored_energy: motion.stored,
+            load_work: &motion.load_work,
+            damper_work: &motion.damper_work,
+            stored_energy: &motion.stored,
             drift: None,
             mean_velocity: None,
             multipliers: None,
@@ -217,54 +217,62 @@ impl<'a> Answer<'a> {
     }
 
     /// The motion from a start to its end.
-    pub fn transient(described: &'a Described, motion: &'a Motion<f64>) -> Self {
+    pub fn from_start(described: &'a Described, start: &'a State<N>, motion: &'a Motion<N>) -> Self {
         Self {
-            duration: Some(motion.duration),
+            duration: Some(&motion.duration),
             end: Some(Place::of(&motion.end)),
-            ..Self::of(described, motion, &described.start, "transient")
+            ..Self::of(described, motion, start, "transient")
         }
     }
 
     /// A period of a steady motion.
-    pub fn steady(described: &'a Described, found: &'a Steady<f64>) -> Self {
+    pub fn steady(described: &'a Described, found: &'a Steady<N>) -> Self {
         Self {
-            period: Some(found.period),
+            period: Some(&found.period),
             periods: Some(found.periods),
             periods_followed: Some(found.followed),
             disturbance_growth: Some(found.disturbance_growth),
             drift: Some(&found.drift),
             mean_velocity: Some(&found.mean_velocity),
             multipliers: Some(&found.multipliers),
-            change: Some(found.change),
-            decay: Some(found.decay),
+            change: Some(&found.change),
+            decay: Some(&found.decay),
             ..Self::of(described, &found.motion, &found.start, found.kind.name())
         }
     }
 }
 
+impl<'a> Answer<'a> {
+    /// The motion from the start of the file to its end.
+    #[must_use]
+    pub fn transient(described: &'a Described, motion: &'a Motion<f64>) -> Self {
+        Self::from_start(described, &described.start, motion)
+    }
+}
+
 /// States at times.
 #[derive(Debug, Serialize)]
-pub struct Samples<'a> {
+pub struct Samples<'a, N = f64> {
     coordinates: &'a [String],
     elements: Vec<&'a str>,
-    time: &'a [f64],
+    time: &'a [N],
     /// At each time, of each coordinate.
-    pub displacement: Vec<&'a [f64]>,
+    pub displacement: Vec<&'a [N]>,
     /// At each time, of each coordinate.
-    pub velocity: Vec<&'a [f64]>,
+    pub velocity: Vec<&'a [N]>,
     /// At each time, of each element on the bodies.
-    pub force: Vec<&'a [f64]>,
+    pub force: Vec<&'a [N]>,
     /// At each time, of each coordinate, on a base that moves.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub absolute_acceleration: Vec<&'a [f64]>,
+    pub absolute_acceleration: Vec<&'a [N]>,
     #[serde(skip_serializing_if = "Option::is_none")]
     units: Option<Units>,
 }
 
-impl<'a> Samples<'a> {
+impl<'a, N> Samples<'a, N> {
     /// The states at these times.
     #[must_use]
-    pub fn new(described: &'a Described, time: &'a [f64], states: &'a [State<f64>]) -> Self {
+    pub fn new(described: &'a Described, time: &'a [N], states: &'a [State<N>]) -> Self {
         Self {
             coordinates: &described.coordinates,
             elements: described.model.elements.iter().map(|element| element.name.as_str()).collect(),
@@ -302,43 +310,46 @@ impl<'a> Samples<'a> {
 
     /// A row for each time: the displacements, the velocities, the force of each element on the bodies, and the absolute
     /// accelerations on a base that moves.
-    pub fn rows(&self) -> impl Iterator<Item = Vec<f64>> + '_ {
+    pub fn rows(&self) -> impl Iterator<Item = Vec<N>> + '_
+    where
+        N: Clone,
+    {
         let states = self.displacement.iter().zip(&self.velocity).zip(&self.force);
         self.time.iter().zip(states).enumerate().map(|(i, (time, ((displacement, velocity), force)))| {
-            let absolute = self.absolute_acceleration.get(i).copied().unwrap_or_default();
-            [&[*time], *displacement, *velocity, *force, absolute].concat()
+            let absolute = self.absolute_acceleration.get(i).copied().unwrap_or(&[]);
+            [core::slice::from_ref(time), *displacement, *velocity, *force, absolute].concat()
         })
     }
 }
 
 /// The least load without sticking, and the cycle of two reversals at the load of the file.
 #[derive(Debug, Serialize)]
-pub struct OfBorder<'a> {
-    least_load_factor: f64,
-    touching_time: f64,
+pub struct OfBorder<'a, N = f64> {
+    least_load_factor: &'a N,
+    touching_time: &'a N,
     /// With a static friction above the kinetic one.
     #[serde(skip_serializing_if = "Option::is_none")]
-    least_load_factor_from_rest: Option<f64>,
-    cycle: Option<OfCycle<'a>>,
+    least_load_factor_from_rest: Option<&'a N>,
+    cycle: Option<OfCycle<'a, N>>,
 }
 
 #[derive(Debug, Serialize)]
-struct OfCycle<'a> {
-    max_displacement: &'a f64,
-    displacement_time: &'a f64,
-    max_velocity: &'a f64,
-    velocity_time: &'a f64,
-    work: &'a f64,
+struct OfCycle<'a, N> {
+    max_displacement: &'a N,
+    displacement_time: &'a N,
+    max_velocity: &'a N,
+    velocity_time: &'a N,
+    work: &'a N,
 }
 
-impl<'a> OfBorder<'a> {
+impl<'a, N> OfBorder<'a, N> {
     /// The border, and the cycle where there is one.
     #[must_use]
-    pub fn new(found: &Border<f64>, cycle: Option<&'a Cycle<f64>>) -> Self {
+    pub fn new(found: &'a Border<N>, cycle: Option<&'a Cycle<N>>) -> Self {
         Self {
-            least_load_factor: found.least_load_factor,
-            touching_time: found.touching_time,
-            least_load_factor_from_rest: found.least_load_factor_from_rest,
+            least_load_factor: &found.least_load_factor,
+            touching_time: &found.touching_time,
+            least_load_factor_from_rest: found.least_load_factor_from_rest.as_ref(),
             cycle: cycle.map(|cycle| OfCycle {
                 max_displacement: &cycle.max_displacement,
                 displacement_time: &cycle.displacement_time,

@@ -12,6 +12,7 @@
 
 use super::formula::Formula;
 use super::interval::{Interval, Jet};
+use std::ops::Neg;
 
 /// The most pieces of a table; one that is twice as fine has twice as many.
 const MOST_PIECES: usize = 4000;
@@ -121,8 +122,8 @@ pub(super) struct Mesh<'c> {
 pub(super) type Points = Vec<(f64, f64)>;
 
 /// Points from (0, 0) up, with those below 0 of the opposite sign.
-pub(super) fn mirrored(points: &[(f64, f64)]) -> Points {
-    let below = points.iter().skip(1).rev().map(|(x, force)| (-x, -force));
+pub(super) fn mirrored<F: Copy + Neg<Output = F>>(points: &[(F, F)]) -> Vec<(F, F)> {
+    let below = points.iter().skip(1).rev().map(|&(x, force)| (-x, -force));
     below.chain(points.iter().copied()).collect()
 }
 

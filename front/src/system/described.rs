@@ -1,10 +1,10 @@
 //! A system as its file describes it, and the parts that bodies by name and matrices share.
 
 use super::laws::Law as Curved;
-use super::node::{Fields, Node};
+use super::node::{Fields, Node, Number};
 use crate::inputs::units::System as Units;
 use stickslip::motion::record::Record as Measured;
-use stickslip::system::{Base, Beyond, Error, Law, Model, Record, Signal, State, System};
+use stickslip::system::{Base, Beyond, Error, Law, Level, Model, Record, Signal, State, System};
 
 /// The greatest number of coordinates: the matrices are dense.
 pub(super) const MOST_COORDINATES: usize = 200;
@@ -22,25 +22,25 @@ pub(super) const MOST_SAMPLES: usize = 2_000_000;
 
 /// A system as its file describes it, with the names of its parts.
 #[derive(Debug, Clone)]
-pub struct Described {
+pub struct Described<F = f64> {
     /// Matrices, loads and elements, in SI units or in the consistent units of the matrices.
-    pub model: Model<f64>,
+    pub model: Model<F>,
     /// The names of the coordinates: those of the bodies, or q1, q2, …
     pub coordinates: Vec<String>,
     /// The system of units; `None` for matrices whose file names none: they are any consistent ones.
     pub units: Option<Units>,
     /// Displacements and velocities at the beginning.
-    pub start: State<f64>,
+    pub start: State<F>,
     /// The force on each coordinate under a unit acceleration of the base, −M ι, where every coordinate is a
     /// displacement over the base.
-    pub(super) inertia: Vec<f64>,
+    pub(super) inertia: Vec<F>,
     /// The motion of the base, if it moves.
-    pub base: Option<Base<f64>>,
+    pub base: Option<Base<F>>,
     /// The laws that are curves.
     pub(super) laws: Vec<Curved>,
 }
 
-impl Described {
+impl<F: Number> Described<F> {
     /// The name of what an event is of: an element, or a level.
     #[must_use]
     pub fn name_of(&self, element: usize) -> &str {
@@ -56,17 +56,33 @@ impl Described {
         self.laws.iter().find(|law| law.element == element).map(Curved::words)
     }
 
+    /// Names the base without a motion of its own, as under a record in numbers of another type.
+    pub fn stands_on_a_base(&mut self) {
+        self.base.get_or_insert_with(|| base_of(self.inertia.len()));
+    }
+
+    /// Takes over the names of the levels of this system in numbers of another type.
+    pub fn name_levels<G: Number>(&mut self, other: &Described<G>) {
+        let name = |level: &Level<G>| Level {
+            name: level.name.clone(),
+            displacement: Vec::new(),
+            velocity: Vec::new(),
+            value: F::int(0),
+        };
+        self.model.levels = other.model.levels.iter().map(name).collect();
+    }
+
     /// Adds a record of the base's acceleration.
-    pub(super) fn shake(&mut self, record: Record<f64>) {
+    pub(super) fn shake(&mut self, record: Record<F>) {
         let Self { model, inertia, base, .. } = self;
         let records = &mut base.get_or_insert_with(|| base_of(inertia.len())).acceleration.records;
-        records.resize(model.records.len(), 0.0);
-        records.push(1.0);
+        records.resize(model.records.len(), F::int(0));
+        records.push(F::int(1));
         model.records.push(Record { force: inertia.clone(), ..record });
     }
 
     /// The motions of this model on this base.
-    pub(super) fn moving(&self, model: &Model<f64>) -> Result<System<f64>, Error> {
+    pub(super) fn moving(&self, model: &Model<F>) -> Result<System<F>, Error> {
         let system = System::new(model)?;
         match &self.base {
             Some(base) => system.with_base(base),
@@ -89,27 +105,43 @@ impl Described {
     }
 }
 
+/// A model without a part.
+pub(super) const fn empty<F>() -> Model<F> {
+    Model {
+        coordinates: Vec::new(),
+        mass: Vec::new(),
+        damping: Vec::new(),
+        stiffness: Vec::new(),
+        elements: Vec::new(),
+        constant: Vec::new(),
+        harmonics: Vec::new(),
+        records: Vec::new(),
+        moved: Vec::new(),
+        levels: Vec::new(),
+    }
+}
+
 /// The base of coordinates that are displacements over it, at rest so far.
-pub(super) fn base_of(coordinates: usize) -> Base<f64> {
-    Base { influence: vec![1.0; coordinates], acceleration: Signal::constant(0.0) }
+pub(super) fn base_of<F: Number>(coordinates: usize) -> Base<F> {
+    Base { influence: vec![F::int(1); coordinates], acceleration: Signal::constant(F::int(0)) }
 }
 
 /// The static friction over the kinetic one, under either name.
-pub(super) fn peak(fields: &Fields<'_>) -> Result<f64, String> {
+pub(super) fn peak<F: Number>(fields: &Fields<'_>) -> Result<F, String> {
     match (fields.get("peak"), fields.get("static_ratio")) {
         (Some(_), Some(node)) => Err(node.wrong("must be left out beside peak, which is the same")),
-        (Some(node), None) | (None, Some(node)) => node.at_least(node.number()?, 1.0),
-        (None, None) => Ok(1.0),
+        (Some(node), None) | (None, Some(node)) => node.at_least(node.number()?, 1),
+        (None, None) => Ok(F::int(1)),
     }
 }
 
 /// The restitution of a stop that gives no way, from 0 to 1; none for an elastic stop. `elastic` are the fields of that one, and `others`
 /// those of both, which are read elsewhere.
-pub(super) fn restitution(
+pub(super) fn restitution<F: Number>(
     fields: &Fields<'_>,
     elastic: &[&'static str],
     others: &[&'static str],
-) -> Result<Option<f64>, String> {
+) -> Result<Option<F>, String> {
     let Some(node) = fields.get("restitution") else {
         if fields.get("stiffness").is_none() {
             // A misspelt name says more than a missing one.
@@ -121,26 +153,26 @@ pub(super) fn restitution(
     if let Some(node) = elastic.iter().find_map(|name| fields.get(name)) {
         return Err(node.wrong("must be left out of a stop with a restitution, which gives no way"));
     }
-    let value = node.at_least(node.number()?, 0.0)?;
-    if value > 1.0 {
+    let value = node.at_least(node.number()?, 0)?;
+    if value > F::int(1) {
         return Err(node.wrong("must be ≤ 1"));
     }
     Ok(Some(value))
 }
 
 /// A law from pairs of a speed and a force.
-pub(super) fn law(
+pub(super) fn law<F: Number>(
     node: &Node<'_>,
-    of: impl Fn(&Node<'_>, usize) -> Result<f64, String>,
-) -> Result<Law<f64>, String> {
+    of: impl Fn(&Node<'_>, usize) -> Result<F, String>,
+) -> Result<Law<F>, String> {
     Ok(Law { points: pairs(node, of)? })
 }
 
 /// Pairs of a speed or a displacement, and a force.
-pub(super) fn pairs(
+pub(super) fn pairs<F>(
     node: &Node<'_>,
-    of: impl Fn(&Node<'_>, usize) -> Result<f64, String>,
-) -> Result<Vec<(f64, f64)>, String> {
+    of: impl Fn(&Node<'_>, usize) -> Result<F, String>,
+) -> Result<Vec<(F, F)>, String> {
     let pair = |node: &Node<'_>| match node.list()?.as_slice() {
         [first, force] => Ok((of(first, 0)?, of(force, 1)?)),
         _ => Err(node.wrong("must be a pair of a speed, of a spring a displacement, and a force")),
@@ -149,7 +181,7 @@ pub(super) fn pairs(
 }
 
 /// The samples of a record without a force.
-pub(super) fn samples(record: &Measured<f64>, beyond: Beyond) -> Record<f64> {
+pub(super) fn samples<F: Number>(record: &Measured<F>, beyond: Beyond) -> Record<F> {
     let values = record.samples().to_vec();
     let times = (0..values.len()).map(|i| record.time(i)).collect();
     Record { times, values, force: Vec::new(), beyond }

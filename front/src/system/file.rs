@@ -1,11 +1,12 @@
 //! The file of a system: bodies by name with their springs, contacts and loads, or matrices.
 
 use super::described::{
-    Described, MOST_COORDINATES, MOST_ELEMENTS, MOST_FREQUENCIES, MOST_SAMPLES, law, pairs, peak, restitution,
+    Described, MOST_COORDINATES, MOST_ELEMENTS, MOST_FREQUENCIES, MOST_SAMPLES, empty, law, pairs, peak,
+    restitution,
 };
 use super::laws::{BESIDE_CURVE, Law as Curved};
 use super::named;
-use super::node::{Fields, Node, nearest};
+use super::node::{Fields, Node, Number, nearest};
 use super::spring;
 use super::unique::Unique;
 use crate::inputs::units::{Kind as Of, Reader, System as Units};
@@ -48,7 +49,7 @@ pub fn parsed(text: &str, name: &str) -> Result<Value, String> {
     if values > MOST_VALUES {
         return Err(format!("{name}: has {values} values, must have ≤ {MOST_VALUES}"));
     }
-    if text.trim_start().starts_with('{') {
+    if is_json(text) {
         return serde_json::from_str(text).map(|Unique(value)| value).map_err(|e| format!("{name}: {e}"));
     }
     if text.len() > LONGEST_TOML {
@@ -66,6 +67,11 @@ pub fn parsed(text: &str, name: &str) -> Result<Value, String> {
         return Err(format!("{name}: {}: must be finite", place.trim_start_matches('.')));
     }
     serde_json::to_value(value).map_err(|e| format!("{name}: {e}"))
+}
+
+/// Whether a text is JSON, and not TOML.
+pub(super) fn is_json(text: &str) -> bool {
+    text.trim_start().starts_with('{')
 }
 
 /// The place of a number that is none, or infinite, behind that of the value.
@@ -96,7 +102,11 @@ pub fn units_of(value: &Value) -> Result<Option<Units>, String> {
 }
 
 /// The system of a value, with records beside the file in `folder`.
-pub(super) fn described(value: &Value, folder: &Path, units: Option<&Units>) -> Result<Described, String> {
+pub(super) fn described<F: Number>(
+    value: &Value,
+    folder: &Path,
+    units: Option<&Units>,
+) -> Result<Described<F>, String> {
     let own = units_of(value)?;
     let asked = units.copied().or(own);
     let reader = Reader::new(own.as_ref().or(units), "units = \"N,mm\"");
@@ -123,7 +133,7 @@ pub(super) fn described(value: &Value, folder: &Path, units: Option<&Units>) -> 
 }
 
 /// A system of matrices: in the units that the file names, or in any consistent ones.
-fn by_matrices(fields: &Fields<'_>, units: Option<Units>) -> Result<Described, String> {
+fn by_matrices<F: Number>(fields: &Fields<'_>, units: Option<Units>) -> Result<Described<F>, String> {
     if fields.get("mass").is_none() {
         return Err(
             "masses is missing: bodies by name, such as [masses] block = \"1 t\", or the matrix mass"
@@ -136,10 +146,10 @@ fn by_matrices(fields: &Fields<'_>, units: Option<Units>) -> Result<Described, S
         return Err(format!("mass: has {n} rows, must be ≥ 1 and ≤ {MOST_COORDINATES}"));
     }
     let mass = mass.matrix(n)?;
-    let zeros = || vec![vec![0.0; n]; n];
+    let zero = F::int(0);
+    let zeros = || vec![vec![zero; n]; n];
     let matrix = |name| fields.get(name).map_or_else(|| Ok(zeros()), |node| node.matrix(n));
-    let mut model =
-        Model { damping: matrix("damping")?, stiffness: matrix("stiffness")?, mass, ..Model::default() };
+    let mut model = Model { damping: matrix("damping")?, stiffness: matrix("stiffness")?, mass, ..empty() };
     if let Some(constant) = fields.get("constant") {
         model.constant = constant.vector(n)?;
     }
@@ -205,20 +215,45 @@ fn by_matrices(fields: &Fields<'_>, units: Option<Units>) -> Result<Described, S
         // A case may say where it comes from, and what is to be computed.
         let _ = fields.get(name);
     }
+    let coordinates = coordinates(fields, n, &model.elements)?;
     fields.end()?;
-    let inertia = model.mass.iter().map(|row| -row.iter().sum::<f64>()).collect();
-    let coordinates = (1..=n).map(|i| format!("q{i}")).collect();
+    let inertia = model.mass.iter().map(|row| -row.iter().fold(zero, |sum, &x| sum + x)).collect();
     Described { model, coordinates, units, start, inertia, base: None, laws }.checked()
 }
 
+/// The names of the coordinates of matrices, q1, q2 and so on by default. Answers and elements are told apart by them.
+fn coordinates<F: Number>(
+    fields: &Fields<'_>,
+    n: usize,
+    elements: &[Element<F>],
+) -> Result<Vec<String>, String> {
+    let Some(node) = fields.get("coordinates") else { return Ok((1..=n).map(|i| format!("q{i}")).collect()) };
+    let given = node.list()?;
+    if given.len() != n {
+        return Err(format!("coordinates: has {} names, must have {n}", given.len()));
+    }
+    let mut names: Vec<String> = Vec::with_capacity(n);
+    for node in given {
+        let name = node.name()?;
+        if name == named::GROUND {
+            return Err(node.wrong("must have another name: the ground does not move"));
+        }
+        if names.iter().chain(elements.iter().map(|element| &element.name)).any(|other| other == name) {
+            return Err(node.wrong("is used twice"));
+        }
+        names.push(name.to_owned());
+    }
+    Ok(names)
+}
+
 /// `{"const", "sin", "cos"}`: a constant and the parts at each frequency.
-fn signal(node: &Node<'_>) -> Result<Signal<f64>, String> {
-    if node.value().is_number() {
+fn signal<F: Number>(node: &Node<'_>) -> Result<Signal<F>, String> {
+    if !node.value().is_object() {
         return Ok(Signal::constant(node.number()?));
     }
     let fields = node.fields()?;
     let part = |name| fields.get(name).map_or_else(|| Ok(Vec::new()), |node| node.numbers());
-    let constant = fields.get("const").map_or(Ok(0.0), |node| node.number())?;
+    let constant = fields.get("const").map_or(Ok(F::int(0)), |node| node.number())?;
     let (sin, cos) = (part("sin")?, part("cos")?);
     let found = Signal { sin, cos, ..Signal::constant(constant) };
     // The parts of a normal load that depend on the motion are read beside it.
@@ -227,7 +262,7 @@ fn signal(node: &Node<'_>) -> Result<Signal<f64>, String> {
 }
 
 /// The normal load of an element, if it has one: a signal with `displacement` and `velocity`.
-fn normal(fields: &Fields<'_>, n: usize) -> Result<Option<Normal<f64>>, String> {
+fn normal<F: Number>(fields: &Fields<'_>, n: usize) -> Result<Option<Normal<F>>, String> {
     let Some(node) = fields.get("normal") else { return Ok(None) };
     let part = |name: &'static str| match node.value().get(name) {
         Some(_) => node.fields()?.required(name)?.vector(n),
@@ -237,7 +272,12 @@ fn normal(fields: &Fields<'_>, n: usize) -> Result<Option<Normal<f64>>, String> 
     Ok(Some(Normal { signal: signal(&node)?, displacement, velocity }))
 }
 
-fn element(node: &Node<'_>, i: usize, n: usize, laws: &mut Vec<Curved>) -> Result<Element<f64>, String> {
+fn element<F: Number>(
+    node: &Node<'_>,
+    i: usize,
+    n: usize,
+    laws: &mut Vec<Curved>,
+) -> Result<Element<F>, String> {
     let fields = node.fields()?;
     let number = |name: &'static str| fields.required(name).and_then(|node| node.number());
     let mut direction = fields.required("direction")?.vector(n)?;
@@ -266,16 +306,16 @@ fn element(node: &Node<'_>, i: usize, n: usize, laws: &mut Vec<Curved>) -> Resul
             Kind::Elastic { stiffness, friction, normal: normal(&fields, n)? }
         }
         "stop" => {
-            let side = fields.get("side").map_or(Ok(1.0), |node| node.number())?;
-            if side.abs() != 1.0 {
+            let side: F = fields.get("side").map_or(Ok(F::int(1)), |node| node.number())?;
+            if side.abs() != F::int(1) {
                 return Err(fields.required("side")?.wrong("must be 1 or -1"));
             }
-            direction.iter_mut().for_each(|b| *b *= side);
+            direction.iter_mut().for_each(|b: &mut F| *b = *b * side);
             let gap = number("gap")?;
             match restitution(&fields, &["stiffness", "damping"], &["name", "belt"])? {
                 Some(restitution) => Kind::HardStop { gap, restitution },
                 None => {
-                    let damping = fields.get("damping").map_or(Ok(0.0), |node| node.number())?;
+                    let damping = fields.get("damping").map_or(Ok(F::int(0)), |node| node.number())?;
                     Kind::Stop { gap, stiffness: number("stiffness")?, damping }
                 }
             }
@@ -300,7 +340,7 @@ fn element(node: &Node<'_>, i: usize, n: usize, laws: &mut Vec<Curved>) -> Resul
         || Ok(format!("element {}", i.saturating_add(1))),
         |node| node.name().map(str::to_owned),
     )?;
-    let moves = fields.get("belt").map_or_else(|| Ok(Signal::constant(0.0)), |node| signal(&node))?;
+    let moves = fields.get("belt").map_or_else(|| Ok(Signal::constant(F::int(0))), |node| signal(&node))?;
     fields.end()?;
     Ok(Element { name, direction, moves, kind })
 }

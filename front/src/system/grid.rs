@@ -3,7 +3,8 @@
 use super::answer::{is_hard, kind_of};
 use super::built::NamedSystem;
 use super::described::Described;
-use super::tabled::Why;
+use super::node::Number;
+use super::why::Why;
 use crate::grid::Range;
 use crate::inputs::units::{Kind as Of, Reader, System as Units, split};
 use serde_json::Value;
@@ -19,11 +20,11 @@ pub const MOST_ROWS: u64 = 1_000_000;
 
 /// The content of a cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Cell<'a> {
+pub enum Cell<'a, F = f64> {
     /// A text: of a record, of a value that is no number, or of a kind.
     Text(&'a str),
     /// A number, where there is one.
-    Number(Option<f64>),
+    Number(Option<F>),
     /// A count, where there is one.
     Count(Option<u64>),
 }
@@ -345,7 +346,20 @@ impl<'a> Grid<'a> {
     }
 
     /// The system of a row, with another value on the last axis, if there is one.
-    fn system(&self, (places, record): &Place<'a>, other: Option<f64>) -> Result<NamedSystem, String> {
+    fn system(&self, place: &Place<'a>, other: Option<f64>) -> Result<NamedSystem, String> {
+        let found = self.without_record(place, other)?;
+        match place.1 {
+            Some((name, record)) => found.with_record(record, name),
+            None => Ok(found),
+        }
+    }
+
+    /// That system without its record.
+    fn without_record<F: Number>(
+        &self,
+        (places, _): &Place<'a>,
+        other: Option<f64>,
+    ) -> Result<NamedSystem<F>, String> {
         let mut typed: Vec<String> = self.axes.iter().zip(places).map(|(axis, at)| axis.typed(*at)).collect();
         if let (Some(x), Some(typed), Some(Values::Numbers(_, unit) | Values::Mixed(_, unit, _))) =
             (other, typed.last_mut(), self.axes.last().map(|axis| &axis.values))
@@ -354,17 +368,14 @@ impl<'a> Grid<'a> {
         }
         let chosen = || self.axes.iter().zip(&typed);
         let set = chosen().filter_map(|(axis, text)| Some((axis.path.as_deref()?, text.as_str())));
-        let mut found = NamedSystem::new(self.value, set, self.folder, self.units)?;
+        let mut found = NamedSystem::<F>::read(self.value, set, self.folder, self.units)?;
         for (axis, text) in chosen().filter(|(axis, _)| axis.path.is_none()) {
             let frequency = found.reader().value(axis.typed.trim(), text, Of::Frequency);
             found = found
                 .at_frequency(frequency.map_err(|e| e.to_string())?)
                 .map_err(|e| format!("{}{text}: {e}", axis.typed))?;
         }
-        match record {
-            Some((name, record)) => found.with_record(record, name),
-            None => Ok(found),
-        }
+        Ok(found)
     }
 
     /// The description of the first row that has one: all have the same parts.
@@ -407,11 +418,49 @@ impl<'a> Grid<'a> {
         self.answer_of(self.system(&self.place(row), Some(last))?)
     }
 
+    /// The cells of a row's answer in numbers of another type, without records and without laws that are curves. `until` is the end of a
+    /// motion.
+    ///
+    /// # Errors
+    /// As [`Grid::answer`].
+    #[cfg(feature = "mp")]
+    pub(super) fn answer_in<F: Number>(
+        &self,
+        row: u64,
+        until: Option<(&str, &str)>,
+    ) -> Result<Vec<Cell<'static, F>>, String> {
+        let of = self.without_record::<F>(&self.place(row), None)?;
+        let until = until.map(|(name, text)| of.reader().value::<F>(name, text, Of::Time));
+        let until = until.transpose().map_err(|e| e.to_string())?;
+        self.answer_by(
+            of,
+            until,
+            |of| of.system.steady(&of.described.start).map_err(Why::from),
+            |of, until| of.system.simulate(&of.described.start, until).map_err(Why::from),
+        )
+    }
+
     fn answer_of(&self, of: NamedSystem) -> Result<Vec<Cell<'static>>, String> {
+        let until = if let Asked::Transient(until) = self.asked { until } else { None };
+        self.answer_by(
+            of,
+            until,
+            |of| Ok(of.steady(&of.described.start)?.0),
+            |of, until| Ok(of.simulate(&of.described.start, until)?.0),
+        )
+    }
+
+    fn answer_by<F: Number>(
+        &self,
+        of: NamedSystem<F>,
+        until: Option<F>,
+        steady: impl Fn(&NamedSystem<F>) -> Result<Steady<F>, Why>,
+        simulate: impl Fn(&NamedSystem<F>, F) -> Result<Motion<F>, Why>,
+    ) -> Result<Vec<Cell<'static, F>>, String> {
         let of = of.while_allowed(self.keep_going);
-        let described = &of.described;
+        let elements = &of.described.model.elements;
         let because = |e: Why| e.to_string();
-        let number = |x: f64| Cell::Number(Some(x));
+        let number = |x: F| Cell::Number(Some(x));
         Ok(match self.asked {
             Asked::Border => {
                 let found = of.system.border().map_err(|e| e.to_string())?;
@@ -419,18 +468,18 @@ impl<'a> Grid<'a> {
                 vec![number(found.least_load_factor), number(found.touching_time), release]
             }
             Asked::Steady => {
-                let (found, _) = of.steady(&described.start).map_err(because)?;
+                let found = steady(&of).map_err(because)?;
                 let periods = Cell::Count(Some(found.periods as u64));
                 let mut cells = vec![Cell::Text(found.kind.name()), periods];
-                cells.extend(of_motion(&described.model.elements, &found.motion, Some(&found)));
+                cells.extend(of_motion(elements, &found.motion, Some(&found)));
                 cells
             }
-            Asked::Transient(until) => {
+            Asked::Transient(_) => {
                 let until = until.unwrap_or_else(|| of.end_of_records());
                 of.check_until(until, &format!("until {until}"))?;
-                let (found, _) = of.simulate(&described.start, until).map_err(because)?;
+                let found = simulate(&of, until).map_err(because)?;
                 let mut cells = vec![number(found.duration)];
-                cells.extend(of_motion(&described.model.elements, &found, None));
+                cells.extend(of_motion(elements, &found, None));
                 cells
             }
         })
@@ -494,11 +543,11 @@ fn columns(described: &Described, asked: Asked) -> Vec<(String, Cell<'static>)> 
 }
 
 /// The cells of a motion, in the order of the columns, with its end, or with the drift of a steady one.
-fn of_motion(
-    elements: &[Element<f64>],
-    motion: &Motion<f64>,
-    steady: Option<&Steady<f64>>,
-) -> Vec<Cell<'static>> {
+fn of_motion<F: Number>(
+    elements: &[Element<F>],
+    motion: &Motion<F>,
+    steady: Option<&Steady<F>>,
+) -> Vec<Cell<'static, F>> {
     let mut cells = Vec::new();
     for i in 0..motion.max_displacement.len() {
         let lists =

@@ -2,7 +2,7 @@
 
 use super::curve::{Curve, Mesh, Of as Kind, Points, size};
 use super::formula::Formula;
-use super::node::{Fields, Node};
+use super::node::{Fields, Node, Number};
 use crate::inputs::units::Kind as Of;
 use stickslip::system::{self, Element, Model, Signal, State};
 
@@ -77,7 +77,7 @@ impl Law {
             fields.end_with(&["speed", "exponent", "viscous", "tolerance"])?;
             return Err(node.wrong("needs formula, or kinetic, static and speed"));
         }
-        let not_negative = |node: Node<'_>, kind: Of| node.at_least(read(&node, kind)?, 0.0);
+        let not_negative = |node: Node<'_>, kind: Of| node.at_least(read(&node, kind)?, 0);
         let kinetic = not_negative(fields.required("kinetic")?, Of::Force)?;
         let static_ = not_negative(fields.required("static")?, Of::Force)?;
         let of_speed = fields.required("speed")?;
@@ -147,15 +147,16 @@ impl Law {
         }
     }
 
-    fn about(&self, why: &str) -> String {
+    pub(super) fn about(&self, why: &str) -> String {
         format!("{}: {why}", self.place)
     }
 
     /// Sets the first range, from a start and the sides that move.
-    pub(super) fn begin(&mut self, model: &Model<f64>, start: &State<f64>) {
+    pub(super) fn begin<F: Number>(&mut self, model: &Model<F>, start: &State<F>) {
         let Some(element) = model.elements.get(self.element) else { return };
-        let along =
-            |list: &[f64]| -> f64 { element.direction.iter().zip(list).map(|(b, x)| (b * x).abs()).sum() };
+        let along = |list: &[F]| -> f64 {
+            element.direction.iter().zip(list).map(|(&b, &x)| (b * x).abs().to_f64()).sum()
+        };
         let from = match self.of {
             Kind::Friction => along(&start.velocity) + most(&element.moves),
             Kind::Spring | Kind::OddSpring => along(&start.displacement),
@@ -191,7 +192,7 @@ impl Law {
 
     /// A table with exact slopes where the other side travels with one velocity, and at the stretch 0: for the stability of steady sliding,
     /// and for natural frequencies.
-    pub(super) fn of_slopes(&self, element: &Element<f64>) -> Result<Vec<(f64, f64)>, String> {
+    pub(super) fn of_slopes<F: Number>(&self, element: &Element<F>) -> Result<Vec<(F, F)>, String> {
         let up_to = |why: String| match self.of {
             Kind::Friction => {
                 format!("{why} (up to v = {}, by the velocity of the start and what moves)", self.reach)
@@ -199,7 +200,7 @@ impl Law {
             Kind::Spring | Kind::OddSpring => format!("{why} (up to x = {}, by the start)", self.reach),
         };
         let mut points = self.refined(self.reach).map_err(up_to)?.table(1);
-        let at = if self.of == Kind::Friction { element.moves.constant.abs() } else { 0.0 };
+        let at = if self.of == Kind::Friction { element.moves.constant.abs().to_f64() } else { 0.0 };
         let beside = BESIDE * self.reach;
         if self.of != Kind::Friction || at > beside {
             points.retain(|point| (point.0 - at).abs() > 2.0 * beside);
@@ -207,13 +208,13 @@ impl Law {
             let pair = [at - beside, at + beside].map(|x| (x, self.curve.of(self.of, x)));
             points.splice(after..after, pair);
         }
-        Ok(points)
+        Ok(points.into_iter().map(|(x, force)| (F::from_f64(x), F::from_f64(force))).collect())
     }
 }
 
 /// The greatest size of a velocity over time, but for records.
-fn most(signal: &Signal<f64>) -> f64 {
-    signal.sin.iter().chain(&signal.cos).fold(signal.constant.abs(), |sum, x| sum + x.abs())
+fn most<F: Number>(signal: &Signal<F>) -> f64 {
+    signal.sin.iter().chain(&signal.cos).fold(signal.constant.abs().to_f64(), |sum, x| sum + x.abs().to_f64())
 }
 
 fn tolerance(fields: &Fields<'_>, read: Read) -> Result<Option<f64>, String> {
@@ -223,7 +224,7 @@ fn tolerance(fields: &Fields<'_>, read: Read) -> Result<Option<f64>, String> {
 }
 
 /// Gives an element the points of its law.
-pub(super) fn set_points(kind: &mut system::Kind<f64>, table: Vec<(f64, f64)>) {
+pub(super) fn set_points<F>(kind: &mut system::Kind<F>, table: Vec<(F, F)>) {
     match kind {
         system::Kind::Contact { law, .. } => *law = system::Law { points: table },
         system::Kind::Spring { points } => *points = table,

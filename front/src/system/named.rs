@@ -1,9 +1,12 @@
 //! Bodies by name, and springs, contacts, stops and loads between them and the ground.
 
 use super::builder::Builder;
-use super::described::{Described, MOST_COORDINATES, MOST_ELEMENTS, base_of, law, pairs, peak, restitution};
+use super::decimal::is_of_a_double;
+use super::described::{
+    Described, MOST_COORDINATES, MOST_ELEMENTS, base_of, empty, law, pairs, peak, restitution,
+};
 use super::laws::{BESIDE_CURVE, Law as Curved};
-use super::node::{Fields, Node, check_name, nearest};
+use super::node::{Fields, Node, Number, check_name, nearest};
 use super::signals::{NEEDS, add as plus, slopes_of};
 use super::smooth::second_derivative;
 use super::spring;
@@ -13,10 +16,14 @@ use std::path::Path;
 use stickslip::system::{Base, Element, Kind, Law, Level, Model, Moved, MovedBy, Normal, Signal, State};
 
 /// The name of the ground.
-const GROUND: &str = "ground";
+pub(super) const GROUND: &str = "ground";
 
 /// The system of a file of named bodies.
-pub(super) fn described(root: &Node<'_>, folder: &Path, units: Units) -> Result<Described, String> {
+pub(super) fn described<F: Number>(
+    root: &Node<'_>,
+    folder: &Path,
+    units: Units,
+) -> Result<Described<F>, String> {
     let fields = root.fields()?;
     let bodies = fields.required("masses")?.entries()?;
     let lists = |name| fields.get(name).map_or_else(|| Ok(Vec::new()), |node| node.list());
@@ -38,15 +45,16 @@ pub(super) fn described(root: &Node<'_>, folder: &Path, units: Units) -> Result<
     if n == 0 || n > MOST_COORDINATES {
         return Err(format!("masses: {n} of them, must be ≥ 1 and ≤ {MOST_COORDINATES}"));
     }
-    let zeros = || vec![vec![0.0; n]; n];
+    let zero = F::int(0);
+    let zeros = || vec![vec![zero; n]; n];
     let mut builder = Builder {
         model: Model {
             coordinates: names.clone(),
             mass: zeros(),
             damping: zeros(),
             stiffness: zeros(),
-            constant: vec![0.0; n],
-            ..Model::default()
+            constant: vec![zero; n],
+            ..empty()
         },
         names,
         taken: Vec::new(),
@@ -81,8 +89,8 @@ pub(super) fn described(root: &Node<'_>, folder: &Path, units: Units) -> Result<
             Some(node.clone())
         };
         let Some(mass) = mass else { continue };
-        let value = mass.quantity(Of::Mass)?;
-        if value < 0.0 {
+        let value: F = mass.quantity(Of::Mass)?;
+        if value < zero {
             return Err(mass.wrong("must be ≥ 0"));
         }
         add(&mut builder.model.mass, i, i, value);
@@ -119,16 +127,17 @@ pub(super) fn described(root: &Node<'_>, folder: &Path, units: Units) -> Result<
     Described { model, coordinates, units: Some(units), start, inertia, base, laws }.checked()
 }
 
-fn add(matrix: &mut [Vec<f64>], i: usize, j: usize, value: f64) {
+fn add<F: Number>(matrix: &mut [Vec<F>], i: usize, j: usize, value: F) {
     if let Some(place) = matrix.get_mut(i).and_then(|row| row.get_mut(j)) {
-        *place += value;
+        *place = *place + value;
     }
 }
 
-impl Builder<'_> {
+impl<F: Number> Builder<'_, F> {
     /// −M ι: the force of a unit acceleration of the base on each body.
-    fn inertia(&self) -> Vec<f64> {
-        self.model.mass.iter().map(|row| -row.iter().sum::<f64>()).collect()
+    fn inertia(&self) -> Vec<F> {
+        let sum = |row: &Vec<F>| row.iter().fold(F::int(0), |sum, &x| sum + x);
+        self.model.mass.iter().map(|row| -sum(row)).collect()
     }
 
     /// A body by its name; `None` for the ground.
@@ -144,11 +153,11 @@ impl Builder<'_> {
     }
 
     /// The direction of `between = [first, second]`: of the second body in relation to the first.
-    fn direction(&self, fields: &Fields<'_>) -> Result<(Vec<f64>, [Option<usize>; 2]), String> {
+    fn direction(&self, fields: &Fields<'_>) -> Result<(Vec<F>, [Option<usize>; 2]), String> {
         self.direction_of(&fields.required("between")?)
     }
 
-    fn direction_of(&self, node: &Node<'_>) -> Result<(Vec<f64>, [Option<usize>; 2]), String> {
+    fn direction_of(&self, node: &Node<'_>) -> Result<(Vec<F>, [Option<usize>; 2]), String> {
         let list = node.list()?;
         let [first, second] = list.as_slice() else {
             return Err(node.wrong("must be two names, such as [\"ground\", \"block\"]"));
@@ -157,10 +166,10 @@ impl Builder<'_> {
         if ends[0] == ends[1] {
             return Err(second.wrong("must differ from the first body"));
         }
-        let mut direction = vec![0.0; self.names.len()];
-        for (end, sign) in ends.into_iter().zip([-1.0, 1.0]) {
+        let mut direction = vec![F::int(0); self.names.len()];
+        for (end, sign) in ends.into_iter().zip([-1, 1]) {
             if let Some(place) = end.and_then(|end| direction.get_mut(end)) {
-                *place = sign;
+                *place = F::int(sign);
             }
         }
         Ok((direction, ends))
@@ -197,9 +206,9 @@ impl Builder<'_> {
     fn spring(&mut self, fields: &Fields<'_>) -> Result<(), String> {
         let (direction, mut ends) = self.direction(fields)?;
         let value = |name: &'static str, kind: Of, like: &str| {
-            let Some(node) = fields.get(name) else { return Ok(0.0) };
-            let value = node.quantity(kind)?;
-            if value < 0.0 {
+            let Some(node) = fields.get(name) else { return Ok(F::int(0)) };
+            let value: F = node.quantity(kind)?;
+            if value < F::int(0) {
                 return Err(
                     node.wrong(&format!("must be ≥ 0 (a negative one, {like}, is given by matrices)"))
                 );
@@ -231,7 +240,7 @@ impl Builder<'_> {
                 };
                 spring::points(&law, fields, table)?
             };
-            let (moves, kind) = (Signal::constant(0.0), Kind::Spring { points });
+            let (moves, kind) = (Signal::constant(F::int(0)), Kind::Spring { points });
             self.model.elements.push(Element { name, direction, moves, kind });
         } else {
             // For paths of other values, as that of a force.
@@ -275,13 +284,13 @@ impl Builder<'_> {
                 if let Some(coordinate) = self.names.iter().position(|name| *name == side) {
                     self.moved(&node, fields, coordinate)?;
                     if let Some(place) = direction.get_mut(coordinate) {
-                        *place = -1.0;
+                        *place = F::int(-1);
                     }
                 }
-                Signal::constant(0.0)
+                Signal::constant(F::int(0))
             }
             Some(node) => self.side(&node)?,
-            None => Signal::constant(0.0),
+            None => Signal::constant(F::int(0)),
         };
         let elastic = fields.get("stiffness");
         if elastic.is_some()
@@ -293,7 +302,7 @@ impl Builder<'_> {
             Some(node) => match friction {
                 Friction { law: Law { points }, normal, .. } if points.len() == 1 => Kind::Elastic {
                     stiffness: node.quantity(Of::Stiffness)?,
-                    friction: points.first().map_or(0.0, |point| point.1),
+                    friction: points.first().map_or(F::int(0), |point| point.1),
                     normal,
                 },
                 Friction { .. } => {
@@ -317,7 +326,7 @@ impl Builder<'_> {
     }
 
     /// The friction of a contact: a force, a coefficient with its normal load, or a law.
-    fn friction(&mut self, fields: &Fields<'_>) -> Result<Friction, String> {
+    fn friction(&mut self, fields: &Fields<'_>) -> Result<Friction<F>, String> {
         let coefficient = fields.get("coefficient");
         let (force, table) = (fields.get("friction"), fields.get("law"));
         let load = fields.get("normal_load");
@@ -335,12 +344,12 @@ impl Builder<'_> {
             let Some(load) = load else {
                 return Err(node.wrong("needs normal_load, the force that presses the surfaces together"));
             };
-            let coefficient = node.not_negative(Of::Ratio)?;
+            let coefficient: F = node.not_negative(Of::Ratio)?;
             if load.value().is_object() || load.value().is_array() {
                 let normal = Some(self.normal(&load)?);
                 return Ok(Friction { law: Law::constant(coefficient), normal, is_curve: false });
             }
-            let friction = coefficient * load.not_negative(Of::Force)?;
+            let friction = coefficient * load.at_least(load.constant(Of::Force)?, 0)?;
             return Ok(Friction { law: Law::constant(friction), normal: None, is_curve: false });
         }
         if let Some(load) = load {
@@ -361,13 +370,13 @@ impl Builder<'_> {
             (None, Some(node)) => {
                 law(&node, |node, i| node.not_negative(if i == 0 { Of::Velocity } else { Of::Force }))?
             }
-            (None, None) => Law::constant(0.0),
+            (None, None) => Law::constant(F::int(0)),
         };
         Ok(Friction { law, normal: None, is_curve })
     }
 
     /// The normal load of a contact: its parts over time, an acceleration upwards, and a spring.
-    fn normal(&mut self, node: &Node<'_>) -> Result<Normal<f64>, String> {
+    fn normal(&mut self, node: &Node<'_>) -> Result<Normal<F>, String> {
         if node.value().is_array() {
             let signal = self.signal(node, Of::Force)?;
             return Ok(Normal { signal, displacement: Vec::new(), velocity: Vec::new() });
@@ -379,12 +388,11 @@ impl Builder<'_> {
             fields.end()?;
             return Err(node.wrong(NEEDS));
         }
-        let mut signal = found.unwrap_or_else(|| Signal::constant(0.0));
+        let mut signal = found.unwrap_or_else(|| Signal::constant(F::int(0)));
         if let Some(vertical) = fields.get("vertical") {
-            let weight = fields.required("constant")?.quantity(Of::Force)?;
+            let weight: F = fields.required("constant")?.quantity(Of::Force)?;
             let acceleration = self.over_time(&vertical, &fields, Of::Acceleration)?;
-            let gravity: f64 =
-                node.reader().value("g", "1 g", Of::Acceleration).map_err(|e| e.to_string())?;
+            let gravity: F = node.reader().value("g", "1 g", Of::Acceleration).map_err(|e| e.to_string())?;
             plus(&mut signal, weight / gravity, &acceleration);
         }
         let (mut displacement, mut velocity) = (Vec::new(), Vec::new());
@@ -395,17 +403,17 @@ impl Builder<'_> {
         }
         if let Some(between) = between {
             let (direction, _) = self.direction_of(&between)?;
-            let stiffness = fields.required("stiffness")?.quantity(Of::Stiffness)?;
-            let damping = fields.quantity_or("damping", Of::Damping, 0.0)?;
-            displacement = direction.iter().map(|b| stiffness * b).collect();
-            velocity = direction.iter().map(|b| damping * b).collect();
+            let stiffness: F = fields.required("stiffness")?.quantity(Of::Stiffness)?;
+            let damping: F = fields.quantity_or("damping", Of::Damping, 0)?;
+            displacement = direction.iter().map(|&b| stiffness * b).collect();
+            velocity = direction.iter().map(|&b| damping * b).collect();
         }
         fields.end()?;
         Ok(Normal { signal, displacement, velocity })
     }
 
     /// The velocity of a contact's other side.
-    fn side(&mut self, node: &Node<'_>) -> Result<Signal<f64>, String> {
+    fn side(&mut self, node: &Node<'_>) -> Result<Signal<F>, String> {
         let (by, signal) = self.motion(node)?;
         match by {
             MovedBy::Velocity => Ok(signal),
@@ -430,10 +438,10 @@ impl Builder<'_> {
             // Waves of an acceleration have a velocity with the mean 0.
             let waves = self.integral(&moved.signal);
             let Signal { constant, sin, cos, records, .. } = &moved.signal;
-            if *constant == 0.0 && records.is_empty() && !(sin.is_empty() && cos.is_empty()) {
+            if *constant == F::int(0) && records.is_empty() && !(sin.is_empty() && cos.is_empty()) {
                 moved = Moved { by: MovedBy::Velocity, signal: waves, ..moved };
             } else if let Some(velocity) = self.start.velocity.get_mut(coordinate) {
-                *velocity += waves.cos.iter().sum::<f64>();
+                *velocity = *velocity + waves.cos.iter().fold(F::int(0), |sum, &x| sum + x);
             }
         }
         self.model.moved.push(moved);
@@ -443,14 +451,14 @@ impl Builder<'_> {
     fn stop(&mut self, fields: &Fields<'_>) -> Result<(), String> {
         let (direction, _) = self.direction(fields)?;
         let name = self.name(fields)?;
-        let gap = fields.required("gap")?.quantity(Of::Length)?;
+        let gap: F = fields.required("gap")?.quantity(Of::Length)?;
         let friction = ["coefficient", "along", "peak", "static_ratio"];
         let kind = match restitution(fields, &["stiffness", "damping"], &[&["name"], &friction[..]].concat())?
         {
             Some(restitution) => Kind::HardStop { gap, restitution },
             None => {
                 let stiffness = fields.required("stiffness")?.quantity(Of::Stiffness)?;
-                Kind::Stop { gap, stiffness, damping: fields.quantity_or("damping", Of::Damping, 0.0)? }
+                Kind::Stop { gap, stiffness, damping: fields.quantity_or("damping", Of::Damping, 0)? }
             }
         };
         let (along, peak) = (fields.get("along"), peak(fields)?);
@@ -463,13 +471,13 @@ impl Builder<'_> {
                 let along = self.direction_of(&along)?.0;
                 let coefficient = node.not_negative(Of::Ratio)?;
                 let under = match kind {
-                    Kind::Stop { damping, .. } if damping != 0.0 => {
+                    Kind::Stop { damping, .. } if damping != F::int(0) => {
                         return Err(node.wrong(
                             "must be left out of a stop with damping: its force, and with it the friction, would begin at once",
                         ));
                     }
                     Kind::Stop { stiffness, .. } => {
-                        let displacement = direction.iter().map(|b| stiffness * b).collect();
+                        let displacement = direction.iter().map(|&b| stiffness * b).collect();
                         let signal = Signal::constant(-(stiffness * gap));
                         let normal = Some(Normal { signal, displacement, velocity: Vec::new() });
                         Kind::Contact { law: Law::constant(coefficient), peak, normal }
@@ -481,7 +489,7 @@ impl Builder<'_> {
             None => None,
         };
         fields.end()?;
-        let moves = Signal::constant(0.0);
+        let moves = Signal::constant(F::int(0));
         self.model.elements.push(Element { name: name.clone(), direction, moves: moves.clone(), kind });
         if let Some((direction, kind)) = friction {
             let name = format!("{name} friction");
@@ -577,15 +585,15 @@ impl Builder<'_> {
 }
 
 /// The friction of a contact, and its normal load where it varies.
-struct Friction {
-    law: Law<f64>,
-    normal: Option<Normal<f64>>,
+struct Friction<F> {
+    law: Law<F>,
+    normal: Option<Normal<F>>,
     /// Whether the law is a curve, which has no points yet.
     is_curve: bool,
 }
 
 /// The direction of a body or of an element by its name.
-pub(super) fn along(bodies: &[String], model: &Model<f64>, name: &str) -> Option<Vec<f64>> {
+pub(super) fn along<F: Number>(bodies: &[String], model: &Model<F>, name: &str) -> Option<Vec<F>> {
     let body = bodies.iter().position(|own| own == name).map(|place| unit(bodies.len(), place));
     let element = || model.elements.iter().find(|element| element.name == name);
     body.or_else(|| element().map(|element| element.direction.clone()))
@@ -619,8 +627,8 @@ fn has_side(moves: &Node<'_>) -> bool {
 }
 
 /// 1 at a place, and 0 elsewhere.
-fn unit(n: usize, place: usize) -> Vec<f64> {
-    (0..n).map(|i| if i == place { 1.0 } else { 0.0 }).collect()
+fn unit<F: Number>(n: usize, place: usize) -> Vec<F> {
+    (0..n).map(|i| F::int(i32::from(i == place))).collect()
 }
 
 /// The steps of a path such as `contacts[1].friction`: names, and places in brackets.
@@ -644,7 +652,8 @@ fn place_of(step: &str) -> Option<usize> {
 
 /// A value as it is typed: a number, or a text.
 pub(super) fn typed(text: &str) -> Value {
-    let number = text.parse::<f64>().ok().and_then(serde_json::Number::from_f64);
+    let number =
+        text.parse::<f64>().ok().filter(|_| is_of_a_double(text)).and_then(serde_json::Number::from_f64);
     number.map_or_else(|| Value::String(text.to_owned()), Value::Number)
 }
 

@@ -4,6 +4,18 @@ use crate::inputs::units::{Kind, Reader};
 use crate::text::is_control;
 use serde_json::{Map, Value};
 use std::cell::RefCell;
+use std::str::FromStr;
+use stickslip::Float;
+
+/// A number that a file is read into: a double, or one of more bits, which takes the decimals of the file as they are typed.
+pub trait Number: Float + FromStr {}
+
+impl<F: Float + FromStr> Number for F {}
+
+/// Whether numbers have the digits of a double, which values of JSON have, too.
+pub(super) const fn is_double<F: Number>() -> bool {
+    F::PRECISION <= f64::MANTISSA_DIGITS
+}
 
 /// A value and its place in the file.
 #[derive(Debug, Clone)]
@@ -87,7 +99,7 @@ impl<'a> Node<'a> {
 
     /// A quantity: a number, or a text with a unit. A frequency with a unit is the same in all systems, and stands beside any
     /// numbers.
-    pub(super) fn quantity(&self, kind: Kind) -> Result<f64, String> {
+    pub(super) fn quantity<F: Number>(&self, kind: Kind) -> Result<F, String> {
         let text = match self.value {
             Value::String(text) => text.clone(),
             Value::Number(number) => number.to_string(),
@@ -98,44 +110,58 @@ impl<'a> Node<'a> {
         let alone = Reader::new(None, "");
         let is_alone = kind == Kind::Frequency && Reader::has_unit(&text);
         let reader = if is_alone { &alone } else { self.reader };
-        let value: f64 = reader.value(self.place(), &text, kind).map_err(|e| e.to_string())?;
+        let value: F = reader.value(self.place(), &text, kind).map_err(|e| e.to_string())?;
         if value.is_finite() { Ok(value) } else { Err(self.wrong("must be finite")) }
     }
 
+    /// A quantity where a quantity over time may be, too: the name of a file is met by the table of a record.
+    pub(super) fn constant<F: Number>(&self, kind: Kind) -> Result<F, String> {
+        let is_name = |text: &&str| {
+            text.contains('.') && !text.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c))
+        };
+        self.quantity(kind).map_err(|error| match self.value.as_str().map(str::trim).filter(is_name) {
+            Some(file) => format!("{error}. A record is a table, {{ file = \"{file}\" }}"),
+            None => error,
+        })
+    }
+
     /// The value of this place, if it is not below a number.
-    pub(super) fn at_least(&self, value: f64, least: f64) -> Result<f64, String> {
-        if value >= least { Ok(value) } else { Err(self.wrong(&format!("must be ≥ {least}"))) }
+    pub(super) fn at_least<F: Number>(&self, value: F, least: i32) -> Result<F, String> {
+        if value >= F::int(least) { Ok(value) } else { Err(self.wrong(&format!("must be ≥ {least}"))) }
     }
 
     /// A quantity ≥ 0.
-    pub(super) fn not_negative(&self, kind: Kind) -> Result<f64, String> {
-        self.at_least(self.quantity(kind)?, 0.0)
+    pub(super) fn not_negative<F: Number>(&self, kind: Kind) -> Result<F, String> {
+        self.at_least(self.quantity(kind)?, 0)
     }
 
     /// A number without a unit.
-    pub(super) fn number(&self) -> Result<f64, String> {
+    pub(super) fn number<F: Number>(&self) -> Result<F, String> {
         let found = match self.value {
-            Value::Number(number) => number.as_f64(),
+            Value::Number(number) if is_double::<F>() => number.as_f64().map(F::from_f64),
+            Value::Number(number) => number.to_string().parse().ok(),
             Value::String(text) => text.trim().parse().ok(),
             Value::Null | Value::Bool(_) | Value::Array(_) | Value::Object(_) => None,
         };
-        found.filter(|x: &f64| x.is_finite()).ok_or_else(|| self.wrong("must be a finite number"))
+        found.filter(|x: &F| x.is_finite()).ok_or_else(|| self.wrong("must be a finite number"))
     }
 
     /// Numbers. Those of JSON need no place of their own, as long as nothing is wrong with them.
-    pub(super) fn numbers(&self) -> Result<Vec<f64>, String> {
-        let plain = self.value.as_array().and_then(|list| list.iter().map(Value::as_f64).collect());
+    pub(super) fn numbers<F: Number>(&self) -> Result<Vec<F>, String> {
+        let double = |value: &Value| value.as_f64().map(F::from_f64);
+        let list = self.value.as_array().filter(|_| is_double::<F>());
+        let plain = list.and_then(|list| list.iter().map(double).collect());
         plain.map_or_else(|| self.list()?.iter().map(Self::number).collect(), Ok)
     }
 
     /// So many numbers.
-    pub(super) fn vector(&self, n: usize) -> Result<Vec<f64>, String> {
+    pub(super) fn vector<F: Number>(&self, n: usize) -> Result<Vec<F>, String> {
         let found = self.numbers()?;
         if found.len() == n { Ok(found) } else { Err(self.of_length(found.len(), "numbers", n)) }
     }
 
     /// A square matrix by rows.
-    pub(super) fn matrix(&self, n: usize) -> Result<Vec<Vec<f64>>, String> {
+    pub(super) fn matrix<F: Number>(&self, n: usize) -> Result<Vec<Vec<F>>, String> {
         let rows = self.list()?;
         if rows.len() == n {
             rows.iter().map(|row| row.vector(n)).collect()
@@ -169,8 +195,13 @@ impl<'a> Fields<'a> {
     }
 
     /// A quantity, or a number where it is missing.
-    pub(super) fn quantity_or(&self, name: &'static str, kind: Kind, other: f64) -> Result<f64, String> {
-        self.get(name).map_or(Ok(other), |node| node.quantity(kind))
+    pub(super) fn quantity_or<F: Number>(
+        &self,
+        name: &'static str,
+        kind: Kind,
+        other: i32,
+    ) -> Result<F, String> {
+        self.get(name).map_or(Ok(F::int(other)), |node| node.quantity(kind))
     }
 
     /// Fails at a field that is none of those read or of these, with the name that is nearest to it.

@@ -6,7 +6,7 @@
 use super::built::NamedSystem;
 use super::described::samples;
 use super::signals::slopes_of;
-use super::tabled::Why;
+use super::why::Why;
 use crate::inputs::units::System as Units;
 use serde_json::json;
 use std::ops::ControlFlow;

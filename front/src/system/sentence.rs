@@ -3,6 +3,7 @@
 use super::answer::{is_hard, kind_of};
 use super::described::Described;
 use super::description::OfSliding;
+use super::node::Number;
 use super::tabled::{Digits, OfTable};
 use crate::inputs::units::{Kind as Of, System as Units};
 use crate::words::digits;
@@ -17,7 +18,7 @@ pub fn plural(count: usize, one: &str, several: &str) -> String {
 
 /// A number with the unit of its kind, where the units are known.
 #[must_use]
-pub fn with_unit(x: f64, units: Option<&Units>, kind: Of) -> String {
+pub fn with_unit<F: Number>(x: F, units: Option<&Units>, kind: Of) -> String {
     units.map_or_else(
         || digits(x),
         |system| {

@@ -2,11 +2,10 @@
 
 use super::builder::Builder;
 use super::described::{MOST_FREQUENCIES, MOST_RECORDS, MOST_SAMPLES, samples};
-use super::node::{Fields, Node, nearest};
+use super::node::{Fields, Node, Number, is_double, nearest};
 use crate::inputs::units::Kind as Of;
 use crate::record::{self, Options, Words};
 use crate::text::{of_bytes, open_regular};
-use std::f64::consts::TAU;
 use std::io::{BufReader, Read};
 use stickslip::Excitation;
 use stickslip::motion::record::{After, Record as Measured};
@@ -16,6 +15,9 @@ use stickslip::system::{Beyond, Harmonic, MovedBy, Record, Signal};
 const LONGEST_TABLE: u64 = 1 << 21;
 /// By how much a sweep may differ from the straight lines between its samples, in parts of its amplitude.
 const TOLERANCE: f64 = 1e-5;
+
+/// Why a sweep has no more digits than a double.
+const OF_DOUBLES: &str = "must be left out with more bits than a double has: its straight lines differ from the sweep by a part of its amplitude";
 
 /// The fields of a record beside its file.
 const OPTIONS: [&str; 12] = [
@@ -40,21 +42,21 @@ const WAVE: [&str; 5] = ["frequency", "phase", "shape", "duty", "sweep"];
 pub(super) const NEEDS: &str = "needs one of amplitude with frequency, constant, waves, and record";
 
 /// The factor of an entry, 0 where a list ends early.
-pub(super) fn at(list: &[f64], i: usize) -> f64 {
-    list.get(i).copied().unwrap_or(0.0)
+pub(super) fn at<F: Number>(list: &[F], i: usize) -> F {
+    list.get(i).copied().unwrap_or(F::int(0))
 }
 
 /// Adds to an entry of a list, which grows to it.
-fn add_at(list: &mut Vec<f64>, i: usize, by: f64) {
-    list.resize(list.len().max(i.saturating_add(1)), 0.0);
+fn add_at<F: Number>(list: &mut Vec<F>, i: usize, by: F) {
+    list.resize(list.len().max(i.saturating_add(1)), F::int(0));
     if let Some(place) = list.get_mut(i) {
-        *place += by;
+        *place = *place + by;
     }
 }
 
 /// Adds a signal with a factor.
-pub(super) fn add(to: &mut Signal<f64>, factor: f64, signal: &Signal<f64>) {
-    to.constant += factor * signal.constant;
+pub(super) fn add<F: Number>(to: &mut Signal<F>, factor: F, signal: &Signal<F>) {
+    to.constant = to.constant + factor * signal.constant;
     let lists = [
         (&mut to.sin, &signal.sin),
         (&mut to.cos, &signal.cos),
@@ -62,22 +64,22 @@ pub(super) fn add(to: &mut Signal<f64>, factor: f64, signal: &Signal<f64>) {
         (&mut to.rates, &signal.rates),
     ];
     for (to, from) in lists {
-        from.iter().enumerate().for_each(|(i, by)| add_at(to, i, factor * by));
+        from.iter().enumerate().for_each(|(i, &by)| add_at(to, i, factor * by));
     }
 }
 
-impl Builder<'_> {
+impl<F: Number> Builder<'_, F> {
     /// A quantity over time: a quantity, a table of its parts, or a list of both, whose sum it is.
-    pub(super) fn signal(&mut self, node: &Node<'_>, kind: Of) -> Result<Signal<f64>, String> {
+    pub(super) fn signal(&mut self, node: &Node<'_>, kind: Of) -> Result<Signal<F>, String> {
         if node.value().is_array() {
-            let mut sum = Signal::constant(0.0);
+            let mut sum = Signal::constant(F::int(0));
             for part in node.list()? {
-                add(&mut sum, 1.0, &self.signal(&part, kind)?);
+                add(&mut sum, F::int(1), &self.signal(&part, kind)?);
             }
             return Ok(sum);
         }
         if !node.value().is_object() {
-            return Ok(Signal::constant(node.quantity(kind)?));
+            return Ok(Signal::constant(node.constant(kind)?));
         }
         let fields = node.fields()?;
         let found = self.signal_of(&fields, kind, &[])?;
@@ -92,7 +94,7 @@ impl Builder<'_> {
         fields: &Fields<'_>,
         kind: Of,
         others: &[&'static str],
-    ) -> Result<Option<Signal<f64>>, String> {
+    ) -> Result<Option<Signal<F>>, String> {
         let mut sum = None;
         if fields.get("amplitude").is_none()
             && let Some(node) = WAVE.iter().filter_map(|name| fields.get(name)).reduce(|first, _| first)
@@ -102,8 +104,9 @@ impl Builder<'_> {
             fields.end_with(others)?;
             return Err(node.wrong("needs an amplitude"));
         }
-        let mut plus =
-            |signal: &Signal<f64>| add(sum.get_or_insert_with(|| Signal::constant(0.0)), 1.0, signal);
+        let mut plus = |signal: &Signal<F>| {
+            add(sum.get_or_insert_with(|| Signal::constant(F::int(0))), F::int(1), signal)
+        };
         if let Some(node) = fields.get("constant") {
             plus(&Signal::constant(node.quantity(kind)?));
         }
@@ -136,28 +139,31 @@ impl Builder<'_> {
         if place == MOST_FREQUENCIES {
             return Err(node.wrong(&format!("must be one of ≤ {MOST_FREQUENCIES} frequencies in the file")));
         }
-        harmonics.push(Harmonic { frequency, sin: vec![0.0; n], cos: vec![0.0; n] });
+        harmonics.push(Harmonic { frequency, sin: vec![F::int(0); n], cos: vec![F::int(0); n] });
         Ok(place)
     }
 
     /// A wave `{ amplitude, frequency, phase, shape, duty }`, or `{ amplitude, sweep }`.
-    fn wave(&mut self, fields: &Fields<'_>, kind: Of) -> Result<Signal<f64>, String> {
-        let mut signal = Signal::constant(0.0);
+    fn wave(&mut self, fields: &Fields<'_>, kind: Of) -> Result<Signal<F>, String> {
+        let mut signal = Signal::constant(F::int(0));
         let node = fields.required("amplitude")?;
-        let amplitude = node.quantity(kind)?;
+        let amplitude: F = node.quantity(kind)?;
         if let Some(sweep) = fields.get("sweep") {
             for name in ["frequency", "phase", "shape", "duty"] {
                 if let Some(node) = fields.get(name) {
                     return Err(node.wrong("must be left out beside sweep"));
                 }
             }
-            let record = swept(&sweep, amplitude)?;
-            add_at(&mut signal.records, self.add_record(&sweep, record)?, 1.0);
+            if !is_double::<F>() {
+                return Err(sweep.wrong(OF_DOUBLES));
+            }
+            let record = swept(&sweep, amplitude.to_f64())?;
+            add_at(&mut signal.records, self.add_record(&sweep, record)?, F::int(1));
             return Ok(signal);
         }
         let shape = fields.get("shape");
         let name = shape.as_ref().map_or(Ok("sine"), Node::text)?;
-        let phase = fields.quantity_or("phase", Of::Angle, 0.0)?;
+        let phase: F = fields.quantity_or("phase", Of::Angle, 0)?;
         let duty = fields.get("duty");
         let names = ["sine", "square", "triangle", "sawtooth", "pulse"];
         if let Some(node) = shape.as_ref().filter(|_| !names.contains(&name)) {
@@ -170,14 +176,15 @@ impl Builder<'_> {
         }
         let duty = match duty {
             Some(node) => match node.number()? {
-                part if part > 0.0 && part < 1.0 => part,
+                part if part > F::int(0) && part < F::int(1) => part,
                 _ => return Err(node.wrong("must be > 0 and < 1")),
             },
-            None => 0.5,
+            None => F::ratio(1, 2),
         };
         let of_frequency = fields.required("frequency")?;
         // Points of one period, from 0 to 1, of the amplitude 1.
-        let points: &[(f64, f64)] = match name {
+        let (zero, one) = (F::int(0), F::int(1));
+        let points: &[(F, F)] = match name {
             "sine" => {
                 let place = self.harmonic(&of_frequency)?;
                 let (sine, cosine) = phase.sin_cos();
@@ -185,26 +192,28 @@ impl Builder<'_> {
                 add_at(&mut signal.cos, place, amplitude * sine);
                 return Ok(signal);
             }
-            "square" => &[(0.0, 1.0), (duty, 1.0), (duty, -1.0), (1.0, -1.0)],
-            "pulse" => &[(0.0, 1.0), (duty, 1.0), (duty, 0.0), (1.0, 0.0)],
-            "triangle" => &[(0.0, 0.0), (0.25, 1.0), (0.75, -1.0), (1.0, 0.0)],
-            _ => &[(0.0, -1.0), (1.0, 1.0)],
+            "square" => &[(zero, one), (duty, one), (duty, -one), (one, -one)],
+            "pulse" => &[(zero, one), (duty, one), (duty, zero), (one, zero)],
+            "triangle" => &[(zero, zero), (F::ratio(1, 4), one), (F::ratio(3, 4), -one), (one, zero)],
+            _ => &[(zero, -one), (one, one)],
         };
-        let period = TAU / frequency(&of_frequency)?;
+        let turn = F::int(2) * F::pi();
+        let period = turn / frequency(&of_frequency)?;
         // It begins in the period that the time 0 is in.
-        let begin = -(phase / TAU).rem_euclid(1.0) * period;
+        let turns = phase / turn;
+        let begin = -((turns - turns.floor()) * period);
         let record = Record {
-            times: points.iter().map(|(part, _)| begin + part * period).collect(),
-            values: points.iter().map(|(_, value)| amplitude * value).collect(),
-            force: vec![0.0; self.names.len()],
+            times: points.iter().map(|&(part, _)| begin + part * period).collect(),
+            values: points.iter().map(|&(_, value)| amplitude * value).collect(),
+            force: vec![zero; self.names.len()],
             beyond: Beyond::Repeat,
         };
-        add_at(&mut signal.records, self.add_record(&of_frequency, record)?, 1.0);
+        add_at(&mut signal.records, self.add_record(&of_frequency, record)?, one);
         Ok(signal)
     }
 
     /// The record of a file with the options in the same table, or of a table of its own.
-    fn recorded(&mut self, node: &Node<'_>, beside: &Fields<'_>, kind: Of) -> Result<Signal<f64>, String> {
+    fn recorded(&mut self, node: &Node<'_>, beside: &Fields<'_>, kind: Of) -> Result<Signal<F>, String> {
         if node.value().is_object() {
             let own = node.fields()?;
             let file = own.required("file")?;
@@ -213,13 +222,13 @@ impl Builder<'_> {
             return Ok(found);
         }
         let record = self.measured(node, beside, kind)?;
-        let mut signal = Signal::constant(0.0);
-        add_at(&mut signal.records, self.add_record(node, record)?, 1.0);
+        let mut signal = Signal::constant(F::int(0));
+        add_at(&mut signal.records, self.add_record(node, record)?, F::int(1));
         Ok(signal)
     }
 
     /// A record as the commands `record` read it, with their options.
-    fn measured(&self, node: &Node<'_>, fields: &Fields<'_>, kind: Of) -> Result<Record<f64>, String> {
+    fn measured(&self, node: &Node<'_>, fields: &Fields<'_>, kind: Of) -> Result<Record<F>, String> {
         let reader = node.reader();
         let file = self.folder.join(node.text()?);
         let name = file.display().to_string();
@@ -245,7 +254,7 @@ impl Builder<'_> {
         };
         let about = |e: String| format!("{}: {e}", node.place());
         let opened = open_regular(&file).map_err(|e| about(format!("{name}: {e}")))?;
-        let found: Measured<f64> = record::read(BufReader::new(opened), &options).map_err(about)?.record;
+        let found: Measured<F> = record::read(BufReader::new(opened), &options).map_err(about)?.record;
         let due = if kind == Of::Force { Excitation::Force } else { Excitation::SurfaceAcceleration };
         if is_load && found.excitation() != due {
             return Err(node.wrong(&format!("must be a record of {}", due.name())));
@@ -256,7 +265,7 @@ impl Builder<'_> {
     }
 
     /// The first two columns of a CSV file: a law.
-    pub(super) fn columns(&self, node: &Node<'_>, kinds: [Of; 2]) -> Result<Vec<(f64, f64)>, String> {
+    pub(super) fn columns(&self, node: &Node<'_>, kinds: [Of; 2]) -> Result<Vec<(F, F)>, String> {
         let file = self.folder.join(node.text()?);
         let name = file.display().to_string();
         let bad = |e: &dyn std::fmt::Display| format!("{}: {name}: {e}", node.place());
@@ -281,7 +290,7 @@ impl Builder<'_> {
                 let unit = names.get(place).and_then(|(_, unit)| *unit).unwrap_or("");
                 let text = format!("{}{unit}", row.get(place).unwrap_or(""));
                 let at = format!("{name}, line {}", line.saturating_add(2));
-                let found = node.reader().value::<f64>(&at, &text, kind);
+                let found = node.reader().value::<F>(&at, &text, kind);
                 found.map_err(|e| format!("{}: {e}", node.place()))
             };
             let [of_first, of_second] = kinds;
@@ -291,7 +300,7 @@ impl Builder<'_> {
     }
 
     /// The place of a new record.
-    fn add_record(&mut self, node: &Node<'_>, mut record: Record<f64>) -> Result<usize, String> {
+    fn add_record(&mut self, node: &Node<'_>, mut record: Record<F>) -> Result<usize, String> {
         let others = &self.model.records;
         let count = others.iter().fold(record.times.len(), |sum, of| sum.saturating_add(of.times.len()));
         if count > MOST_SAMPLES || others.len() == MOST_RECORDS {
@@ -299,17 +308,17 @@ impl Builder<'_> {
                 format!("must be one of ≤ {MOST_RECORDS} records, with ≤ {MOST_SAMPLES} samples together");
             return Err(node.wrong(&most));
         }
-        record.force = vec![0.0; self.names.len()];
+        record.force = vec![F::int(0); self.names.len()];
         let place = others.len();
         self.model.records.push(record);
         Ok(place)
     }
 
     /// Adds a load, with the force on each body where the signal is 1.
-    pub(super) fn load(&mut self, signal: &Signal<f64>, force: &[f64]) {
+    pub(super) fn load(&mut self, signal: &Signal<F>, force: &[F]) {
         let model = &mut self.model;
-        let push = |list: &mut Vec<f64>, by: f64| {
-            force.iter().enumerate().filter(|(_, share)| **share != 0.0).for_each(|(i, share)| {
+        let push = |list: &mut Vec<F>, by: F| {
+            force.iter().enumerate().filter(|(_, share)| **share != F::int(0)).for_each(|(i, &share)| {
                 add_at(list, i, by * share);
             });
         };
@@ -324,7 +333,7 @@ impl Builder<'_> {
     }
 
     /// A motion: a velocity, or a table with a displacement, a velocity or an acceleration over time.
-    pub(super) fn motion(&mut self, node: &Node<'_>) -> Result<(MovedBy, Signal<f64>), String> {
+    pub(super) fn motion(&mut self, node: &Node<'_>) -> Result<(MovedBy, Signal<F>), String> {
         let kinds = [
             ("displacement", MovedBy::Displacement, Of::Length),
             ("velocity", MovedBy::Velocity, Of::Velocity),
@@ -343,7 +352,7 @@ impl Builder<'_> {
         drop(given);
         let signal = self.over_time(&first, &fields, kind)?;
         let jumps =
-            |(i, factor): (usize, &f64)| *factor != 0.0 && self.model.records.get(i).is_some_and(jumps);
+            |(i, factor): (usize, &F)| *factor != F::int(0) && self.model.records.get(i).is_some_and(jumps);
         if by == MovedBy::Displacement && signal.records.iter().enumerate().any(jumps) {
             return Err(first.wrong(
                 "must not change at once, because that takes an infinite velocity: give a steep straight line between the values",
@@ -359,8 +368,8 @@ impl Builder<'_> {
         node: &Node<'_>,
         beside: &Fields<'_>,
         kind: Of,
-    ) -> Result<Signal<f64>, String> {
-        let is_file = node.value().is_string() && node.quantity(kind).is_err();
+    ) -> Result<Signal<F>, String> {
+        let is_file = node.value().is_string() && node.quantity::<F>(kind).is_err();
         if is_file {
             return self.recorded(node, beside, kind);
         }
@@ -369,31 +378,31 @@ impl Builder<'_> {
     }
 
     /// The derivative of the waves of a signal.
-    pub(super) fn derivative(&self, signal: &Signal<f64>) -> Signal<f64> {
+    pub(super) fn derivative(&self, signal: &Signal<F>) -> Signal<F> {
         self.by_frequency(signal, |omega, sin, cos| (-(omega * cos), omega * sin))
     }
 
     /// The integral of the waves of a signal, with the mean 0.
-    pub(super) fn integral(&self, signal: &Signal<f64>) -> Signal<f64> {
+    pub(super) fn integral(&self, signal: &Signal<F>) -> Signal<F> {
         self.by_frequency(signal, |omega, sin, cos| (cos / omega, -sin / omega))
     }
 
-    fn by_frequency(&self, signal: &Signal<f64>, of: impl Fn(f64, f64, f64) -> (f64, f64)) -> Signal<f64> {
+    fn by_frequency(&self, signal: &Signal<F>, of: impl Fn(F, F, F) -> (F, F)) -> Signal<F> {
         let waves = self.model.harmonics.iter().enumerate();
         let parts = waves.map(|(i, wave)| of(wave.frequency, at(&signal.sin, i), at(&signal.cos, i)));
         let (sin, cos) = parts.unzip();
-        Signal { sin, cos, ..Signal::constant(0.0) }
+        Signal { sin, cos, ..Signal::constant(F::int(0)) }
     }
 
     /// A signal with derivatives of the records of another one, in its order.
     pub(super) fn of_records(
         &mut self,
         node: &Node<'_>,
-        signal: &Signal<f64>,
-        derivative: fn(&Record<f64>) -> Result<Record<f64>, &'static str>,
-    ) -> Result<Signal<f64>, String> {
-        let mut result = Signal::constant(0.0);
-        for (i, &factor) in signal.records.iter().enumerate().filter(|(_, factor)| **factor != 0.0) {
+        signal: &Signal<F>,
+        derivative: fn(&Record<F>) -> Result<Record<F>, &'static str>,
+    ) -> Result<Signal<F>, String> {
+        let mut result = Signal::constant(F::int(0));
+        for (i, &factor) in signal.records.iter().enumerate().filter(|(_, factor)| **factor != F::int(0)) {
             let Some(record) = self.model.records.get(i) else { continue };
             let found = derivative(record).map_err(|must| node.wrong(must))?;
             let place = self.add_record(node, found)?;
@@ -404,7 +413,7 @@ impl Builder<'_> {
 }
 
 /// The slopes of a record, as a record with steps; what it must be to have them.
-pub(super) fn slopes_of(record: &Record<f64>) -> Result<Record<f64>, &'static str> {
+pub(super) fn slopes_of<F: Number>(record: &Record<F>) -> Result<Record<F>, &'static str> {
     let pairs = record.times.iter().zip(&record.values);
     let (mut times, mut values) = (Vec::new(), Vec::new());
     for ((&a, &p), (&b, &q)) in pairs.clone().zip(pairs.skip(1)) {
@@ -434,16 +443,16 @@ fn without_options(fields: &Fields<'_>) -> Result<(), String> {
 }
 
 /// Whether a record changes at once: two values at one time, or at the end of a period.
-fn jumps(record: &Record<f64>) -> bool {
+fn jumps<F: Number>(record: &Record<F>) -> bool {
     let ends = (record.values.first(), record.values.last());
     let mut pairs = record.times.iter().zip(record.times.iter().skip(1));
     pairs.any(|(a, b)| a == b) || (record.beyond == Beyond::Repeat && ends.0 != ends.1)
 }
 
 /// A positive frequency.
-fn frequency(node: &Node<'_>) -> Result<f64, String> {
+fn frequency<F: Number>(node: &Node<'_>) -> Result<F, String> {
     let frequency = node.quantity(Of::Frequency)?;
-    if frequency > 0.0 { Ok(frequency) } else { Err(node.wrong("must be > 0")) }
+    if frequency > F::int(0) { Ok(frequency) } else { Err(node.wrong("must be > 0")) }
 }
 
 /// A name or a number as text.
@@ -452,15 +461,15 @@ fn shown(node: &Node<'_>) -> String {
 }
 
 /// A record with its factor, and with what follows it.
-fn finished(
+fn finished<F: Number>(
     fields: &Fields<'_>,
-    times: Vec<f64>,
-    mut values: Vec<f64>,
+    times: Vec<F>,
+    mut values: Vec<F>,
     holds: bool,
-) -> Result<Record<f64>, String> {
+) -> Result<Record<F>, String> {
     if let Some(node) = fields.get("scale") {
-        let factor = node.number()?;
-        values.iter_mut().for_each(|x| *x *= factor);
+        let factor: F = node.number()?;
+        values.iter_mut().for_each(|x| *x = *x * factor);
     }
     let repeats = match fields.get("repeats") {
         Some(node) => node.value().as_bool().ok_or_else(|| node.wrong("must be true or false"))?,
@@ -488,12 +497,12 @@ fn finished(
 
 /// A sine whose frequency changes from one value to another in a time, linearly or by a constant factor in equal times: as straight
 /// lines that differ from it by at most a part of its amplitude.
-fn swept(node: &Node<'_>, amplitude: f64) -> Result<Record<f64>, String> {
+fn swept<F: Number>(node: &Node<'_>, amplitude: f64) -> Result<Record<F>, String> {
     let fields = node.fields()?;
     let [from, to] = ["from", "to"].map(|name| fields.required(name).and_then(|node| frequency(&node)));
-    let (from, to) = (from?, to?);
+    let (from, to): (f64, f64) = (from?, to?);
     let of_duration = fields.required("duration")?;
-    let duration = of_duration.quantity(Of::Time)?;
+    let duration: f64 = of_duration.quantity(Of::Time)?;
     if duration <= 0.0 {
         return Err(of_duration.wrong("must be > 0"));
     }
@@ -535,6 +544,7 @@ fn swept(node: &Node<'_>, amplitude: f64) -> Result<Record<f64>, String> {
             )));
         }
     }
-    let values = times.iter().map(|&t| amplitude * phase(t).sin()).collect();
+    let values = times.iter().map(|&t| F::from_f64(amplitude * phase(t).sin())).collect();
+    let times = times.into_iter().map(F::from_f64).collect();
     Ok(Record { times, values, force: Vec::new(), beyond: Beyond::Zero })
 }

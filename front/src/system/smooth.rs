@@ -9,30 +9,34 @@
 //! at each sample within. At the ends the third derivative goes on over the next sample ("not a knot"), so that a parabola and a cubic
 //! have their own second derivatives; a curve that repeats itself has the equation of its first sample there, too.
 
+use super::node::Number;
 use stickslip::system::{Beyond, Record};
 
 /// The second derivative of the curve through the samples of a record, as a record; what it must be to have one.
-pub(super) fn second_derivative(record: &Record<f64>) -> Result<Record<f64>, &'static str> {
+pub(super) fn second_derivative<F: Number>(record: &Record<F>) -> Result<Record<F>, &'static str> {
     let Record { times, values, beyond, .. } = record;
-    let steps: Vec<f64> =
-        times.windows(2).map(|pair| pair.iter().rev().copied().reduce(|a, b| a - b).unwrap_or(0.0)).collect();
-    if steps.contains(&0.0) {
+    let [zero, one, two, six] = [0, 1, 2, 6].map(F::int);
+    let steps: Vec<F> = times
+        .windows(2)
+        .map(|pair| pair.iter().rev().copied().reduce(|a, b| a - b).unwrap_or(zero))
+        .collect();
+    if steps.contains(&zero) {
         return Err("must not change at once: that takes an infinite acceleration");
     }
     let repeats = *beyond == Beyond::Repeat;
     if repeats && values.first() != values.last() {
         return Err("must end with its first value where it repeats itself");
     }
-    let rises = values.windows(2).map(|pair| pair.iter().rev().copied().reduce(|a, b| a - b).unwrap_or(0.0));
-    let slopes: Vec<f64> = rises.zip(&steps).map(|(rise, step)| rise / step).collect();
-    let at = |list: &[f64], i: usize| list.get(i).copied().unwrap_or(0.0);
+    let rises = values.windows(2).map(|pair| pair.iter().rev().copied().reduce(|a, b| a - b).unwrap_or(zero));
+    let slopes: Vec<F> = rises.zip(&steps).map(|(rise, &step)| rise / step).collect();
+    let at = |list: &[F], i: usize| list.get(i).copied().unwrap_or(zero);
     // The equation of a sample between two steps: their lengths, and the change of the slope.
     let row = |before: usize, after: usize| {
         let (h, k) = (at(&steps, before), at(&steps, after));
-        [h, 2.0 * (h + k), k, 6.0 * (at(&slopes, after) - at(&slopes, before))]
+        [h, two * (h + k), k, six * (at(&slopes, after) - at(&slopes, before))]
     };
     let last = steps.len().saturating_sub(1);
-    let mut rows: Vec<[f64; 4]> = (1..steps.len()).map(|i| row(i.saturating_sub(1), i)).collect();
+    let mut rows: Vec<[F; 4]> = (1..steps.len()).map(|i| row(i.saturating_sub(1), i)).collect();
     let second = if repeats {
         rows.insert(0, row(last, 0));
         let mut second = around(&rows);
@@ -42,17 +46,17 @@ pub(super) fn second_derivative(record: &Record<f64>) -> Result<Record<f64>, &'s
         let inner = rows.len();
         if let Some([h, middle, k, _]) = rows.first_mut().filter(|_| inner > 1) {
             // M₀ = (1 + h/k) M₁ − (h/k) M₂
-            (*middle, *k) = (*middle + *h * (1.0 + *h / *k), *k - *h * (*h / *k));
+            (*middle, *k) = (*middle + *h * (one + *h / *k), *k - *h * (*h / *k));
         }
         if let Some([h, middle, k, _]) = rows.last_mut().filter(|_| inner > 1) {
-            (*middle, *h) = (*middle + *k * (1.0 + *k / *h), *h - *k * (*k / *h));
+            (*middle, *h) = (*middle + *k * (one + *k / *h), *h - *k * (*k / *h));
         }
         if let ([[h, middle, k, _]], 1) = (rows.as_mut_slice(), inner) {
             // A parabola through three samples.
-            *middle += *h + *k;
+            *middle = *middle + (*h + *k);
         }
         let within = along(&rows, &rows.iter().map(|row| row[3]).collect::<Vec<_>>());
-        let end = |first: f64, next: f64, ratio: f64| {
+        let end = |first: F, next: F, ratio: F| {
             if inner > 1 { first + ratio * (first - next) } else { first }
         };
         let first = end(at(&within, 0), at(&within, 1), at(&steps, 0) / at(&steps, 1));
@@ -65,17 +69,17 @@ pub(super) fn second_derivative(record: &Record<f64>) -> Result<Record<f64>, &'s
 }
 
 /// The solution of equations with three diagonals, by elimination without exchange: each diagonal entry is the greatest of its row.
-fn along(rows: &[[f64; 4]], right: &[f64]) -> Vec<f64> {
-    let mut done: Vec<[f64; 2]> = Vec::with_capacity(rows.len());
-    for ([below, middle, above, _], right) in rows.iter().zip(right) {
-        let [ratio, before] = done.last().copied().unwrap_or([0.0; 2]);
-        let below = if done.is_empty() { 0.0 } else { *below };
+fn along<F: Number>(rows: &[[F; 4]], right: &[F]) -> Vec<F> {
+    let mut done: Vec<[F; 2]> = Vec::with_capacity(rows.len());
+    for (&[below, middle, above, _], &right) in rows.iter().zip(right) {
+        let [ratio, before] = done.last().copied().unwrap_or([F::int(0); 2]);
+        let below = if done.is_empty() { F::int(0) } else { below };
         let pivot = middle - below * ratio;
         done.push([above / pivot, (right - below * before) / pivot]);
     }
     let mut found = Vec::with_capacity(done.len());
-    let mut next = 0.0;
-    for [ratio, value] in done.iter().rev() {
+    let mut next = F::int(0);
+    for &[ratio, value] in done.iter().rev() {
         next = value - ratio * next;
         found.push(next);
     }
@@ -84,15 +88,16 @@ fn along(rows: &[[f64; 4]], right: &[f64]) -> Vec<f64> {
 }
 
 /// That of equations whose first and last unknowns are neighbours, too, by a correction of rank 1.
-fn around(rows: &[[f64; 4]]) -> Vec<f64> {
+fn around<F: Number>(rows: &[[F; 4]]) -> Vec<F> {
+    let zero = F::int(0);
     let (Some(&[corner, first, ..]), Some(&[_, end, other, _])) = (rows.first(), rows.last()) else {
         return Vec::new();
     };
     if rows.len() < 3 {
         // Two unknowns: both neighbours of each are the other one. One: its own neighbour.
-        let whole: Vec<[f64; 4]> = match rows {
-            [[a, b, c, r]] => vec![[0.0, a + b + c, 0.0, *r]],
-            [[a, b, c, r], [d, e, f, s]] => vec![[0.0, *b, a + c, *r], [d + f, *e, 0.0, *s]],
+        let whole: Vec<[F; 4]> = match *rows {
+            [[a, b, c, r]] => vec![[zero, a + b + c, zero, r]],
+            [[a, b, c, r], [d, e, f, s]] => vec![[zero, b, a + c, r], [d + f, e, zero, s]],
             _ => Vec::new(),
         };
         return along(&whole, &whole.iter().map(|row| row[3]).collect::<Vec<_>>());
@@ -107,24 +112,24 @@ fn around(rows: &[[f64; 4]]) -> Vec<f64> {
         row[1] = end - other * corner / g;
     }
     let count = rows.len();
-    let u: Vec<f64> = (0..count)
+    let u: Vec<F> = (0..count)
         .map(|i| {
             if i == 0 {
                 g
             } else if i.saturating_add(1) == count {
                 other
             } else {
-                0.0
+                zero
             }
         })
         .collect();
     let (y, q) = (along(&cut, &rows.iter().map(|row| row[3]).collect::<Vec<_>>()), along(&cut, &u));
-    let of = |list: &[f64]| {
-        let [first, last] = [list.first(), list.last()].map(|x| x.copied().unwrap_or(0.0));
+    let of = |list: &[F]| {
+        let [first, last] = [list.first(), list.last()].map(|x| x.copied().unwrap_or(zero));
         first + last * corner / g
     };
-    let share = of(&y) / (1.0 + of(&q));
-    y.iter().zip(&q).map(|(y, q)| y - share * q).collect()
+    let share = of(&y) / (F::int(1) + of(&q));
+    y.iter().zip(&q).map(|(&y, &q)| y - share * q).collect()
 }
 
 #[cfg(test)]

@@ -1,16 +1,16 @@
 //! A spring whose law is a table: displacements and forces, mirrored where they begin at 0.
 
 use super::curve::mirrored;
-use super::node::{Fields, Node};
+use super::node::{Fields, Node, Number};
 
 /// The points of a spring's table. `odd` says whether the points from 0 up hold below 0 with the opposite sign; where it is not given,
 /// they do if they begin at 0.
-pub(super) fn points(
+pub(super) fn points<F: Number>(
     law: &Node<'_>,
     fields: &Fields<'_>,
-    table: Vec<(f64, f64)>,
-) -> Result<Vec<(f64, f64)>, String> {
-    let odd = odd(fields)?;
+    table: Vec<(F, F)>,
+) -> Result<Vec<(F, F)>, String> {
+    let (odd, zero) = (odd(fields)?, F::int(0));
     let (Some(&(first, force)), true) = (table.first(), table.len() >= 2) else {
         return Err(law.wrong(
             "must have two points or more, [displacement, force]; a straight spring has a stiffness",
@@ -23,14 +23,14 @@ pub(super) fn points(
     }
     match odd {
         Some(false) => Ok(table),
-        None if first < 0.0 => Ok(table),
-        Some(true) if first < 0.0 => {
+        None if first < zero => Ok(table),
+        Some(true) if first < zero => {
             Err(law.wrong("must begin at the displacement 0 where odd mirrors it: leave out odd, or the points below 0"))
         }
-        _ if first > 0.0 => Err(law.wrong(&format!(
+        _ if first > zero => Err(law.wrong(&format!(
             "begins at the displacement {first}, must begin at 0, from where it is mirrored, or below 0"
         ))),
-        _ if force != 0.0 => Err(law.wrong(&format!(
+        _ if force != zero => Err(law.wrong(&format!(
             "has the force {force} at 0, must have 0 where it is mirrored: write odd = false, or points below 0"
         ))),
         _ => Ok(mirrored(&table)),

@@ -4,8 +4,8 @@ use super::built::NamedSystem;
 use super::digits::{Numbers, OfPassage, OfStates, OfSteady, extrapolated, told};
 use super::laws::{Law, Refined, set_points};
 use super::proved::{Proved, Tabled, bound};
+use super::why::Why;
 use serde::Serialize;
-use std::fmt;
 use stickslip::system::{Beyond, Error, Motion, State, Steady, System};
 
 /// How often a range may be changed.
@@ -18,30 +18,6 @@ const BEYOND: f64 = 1.25;
 const CLOSE: f64 = 1.05;
 /// A table that reaches further than so many times the motion is made anew.
 const TOO_FAR: f64 = 1.5;
-
-/// Why there is no answer.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Why {
-    /// The engine says so.
-    Engine(Error),
-    /// A law has no table, in one line with its place.
-    Law(String),
-}
-
-impl fmt::Display for Why {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Engine(error) => error.fmt(f),
-            Self::Law(why) => why.fmt(f),
-        }
-    }
-}
-
-impl From<Error> for Why {
-    fn from(error: Error) -> Self {
-        Self::Engine(error)
-    }
-}
 
 /// What is known of an answer that was computed with tables of curves.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -112,8 +88,18 @@ impl NamedSystem {
         Ok(self.asked(ask)?.0.states)
     }
 
+    /// The end of a motion as it is typed for an argument of this name: a time, or a value that is passed first, `NAME = VALUE`, which is a
+    /// displacement of a body, a contact or a stop, or with `NAME.velocity` a velocity. Its passages are events of the motions then. Without
+    /// a text it is the end of the records.
+    ///
+    /// # Errors
+    /// As [`NamedSystem::check_until`]; where there is no such name, or the value is not passed within the longest motion.
+    pub fn until(&mut self, name: &str, typed: Option<&str>) -> Result<f64, String> {
+        self.until_by(name, typed, Self::first_passage)
+    }
+
     /// The first time at which a level is passed, and at most the latest.
-    pub(super) fn first_passage(&self, level: usize, latest: f64) -> Result<Option<f64>, Why> {
+    fn first_passage(&self, level: usize, latest: f64) -> Result<Option<f64>, Why> {
         let start = &self.described.start;
         if self.described.laws.is_empty() {
             return Ok(self.system.first_passage(start, level, latest)?);

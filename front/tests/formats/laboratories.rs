@@ -140,6 +140,15 @@ fn what_is_told_of_the_times() {
     let told = |text: &str| read_text(text.as_bytes(), |_| {}).unwrap().summary.sentence(|x| x.to_string());
     let jitter = told("time (s),acc (m/s^2)\n0,1\n0.0098,2\n0.0201,3\n0.03,1\n");
     assert!(jitter.contains("at unequal steps of 0.0098 s to 0.0103 s, 0.03 s"), "{jitter}");
+    let short = read_text(b"time (s),acc (m/s^2)\n0,1\n0.5,2\n1.00000000001,3\n", |_| {}).unwrap().summary;
+    let sentence = short.sentence(|x| format!("{x:.3}"));
+    assert!(sentence.contains("at unequal steps of 0.5 s to 0.50000000001 s"), "{sentence}");
+    // A cut has the step that a file with its rows alone has.
+    let cut = read_text(b"time (s),acc (m/s^2)\n0,0\n0.1,1\n0.6,2\n1.1,3\n1.6,1\n", |options| {
+        options.from = Some("0.1s");
+    });
+    let sentence = cut.unwrap().summary.sentence(|x| x.to_string());
+    assert!(sentence.contains("4 samples of acceleration 0.5 s apart, 1.5 s"), "{sentence}");
     let repeated = told("time (s),acc (m/s^2)\n0,1\n0.01,2\n0.01,2\n0.01,2\n0.02,3\n");
     assert!(repeated.contains("3 samples") && repeated.contains("2 rows that repeat"), "{repeated}");
     let step = told("dt: 0.01\nacc (m/s^2)\n1\n2\n");

@@ -72,6 +72,7 @@ fn by_names() -> Value {
 fn by_matrices() -> Value {
     json!({
         "mass": [[1.0, 0.1], [0.1, 0.5]], "damping": [[0.3, 0], [0, 0]], "stiffness": [[500, -300], [-300, 300]],
+        "coordinates": ["block", "roof"],
         "elements": [
             {"type": "contact", "direction": [1, 0], "friction": 450, "belt": {"const": 1, "sin": [0.5]}},
             {"type": "elastic", "direction": [1, -1], "stiffness": 50, "friction": 3},

@@ -137,3 +137,29 @@ fn the_schema_has_the_fields_of_the_reader() {
         all["$defs"]["element"]["properties"].as_object().unwrap().keys().cloned().collect();
     assert_eq!(found, own);
 }
+
+/// Answers, values to set and messages have the names that a file of matrices gives its coordinates.
+#[test]
+fn the_coordinates_of_matrices_have_names() {
+    let made = |names: &Value| {
+        let mut value = by_matrices();
+        value["coordinates"] = names.clone();
+        NamedSystem::new(&value, [], Path::new(""), None)
+    };
+    assert_eq!(made(&json!(["block", "roof"])).unwrap().described.coordinates, ["block", "roof"]);
+    for (names, why) in [
+        (json!(["block"]), "coordinates: has 1 names, must have 2"),
+        (json!(["block", "block"]), "is used twice"),
+        (json!(["block", "ground"]), "the ground does not move"),
+        (json!(["block", 2]), "must be a text"),
+        (json!(["block", ""]), "must not be empty"),
+        (json!("block"), "coordinates"),
+    ] {
+        let found = made(&names).unwrap_err();
+        assert!(found.contains(why), "{found}");
+    }
+    let mut value = by_matrices();
+    value.as_object_mut().unwrap().remove("coordinates");
+    let found = NamedSystem::new(&value, [], Path::new(""), None).unwrap();
+    assert_eq!(found.described.coordinates, ["q1", "q2"]);
+}

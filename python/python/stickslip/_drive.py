@@ -61,9 +61,16 @@ def is_array(value: Any) -> bool:
     return isinstance(value, (list, tuple)) or is_labelled(value) and bool(value.shape) or not isinstance(value, (str, bytes)) and np.ndim(value) > 0
 
 
-def kept(given: Mapping[str, Any]) -> dict[str, Any]:
-    """The given values in memory of their own, which later changes of the arguments do not reach."""
-    return {name: copy.deepcopy(value) if is_array(value) else value for name, value in given.items() if value is not None}
+def kept(given: Mapping[str, Any], own: Mapping[str, Any]) -> dict[str, Any]:
+    """The given values in memory that later changes of the arguments do not reach: that of the object's own values, where they are the same."""
+
+    def one(name: str, value: Any) -> Any:
+        known = own.get(name)
+        if type(value) is type(known) is np.ndarray and value.dtype == known.dtype and np.array_equal(value, known):
+            return known
+        return copy.deepcopy(value) if is_array(value) else value
+
+    return {name: one(name, value) for name, value in given.items() if value is not None}
 
 
 def relabelled(values: Mapping[str, Any], fields: Iterable[str]) -> tuple[dict[str, Any], Optional[Like]]:
@@ -257,7 +264,7 @@ class Drive(Frozen, Generic[V]):
         )
         fields = {**columns, "excitation": name, "units": system, "_named": units is not None}
         keywords = {**given, "frequency": frequency, "angular_frequency": angular_frequency, "mean_force": mean_force}
-        fields["_keywords"] = kept(keywords)
+        fields["_keywords"] = kept(keywords, {**fields, name: fields["amplitude"]})
         for key, value in fields.items():
             object.__setattr__(self, key, read_only(value))
 

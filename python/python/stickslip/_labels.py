@@ -90,8 +90,8 @@ def is_labelled(value: Any) -> bool:
 
 
 def numbers(name: str, value: Any, kind: str = "ratio") -> Floats:
-    """A number or an array of any numeric type as 64-bit floats in new memory, with NaN for masked elements; in SI units, if it has
-    a unit, which must be one of this kind."""
+    """A number or an array of any numeric type as 64-bit floats that later changes of the argument do not reach, with NaN for masked
+    elements; in SI units, if it has a unit, which must be one of this kind."""
     value, unit = parted(name, value)
     floats = _numbers(name, value)
     return floats if not unit else in_units(name, floats, unit, kind, None)
@@ -123,8 +123,20 @@ def _numbers(name: str, value: Any) -> Floats:
         raise _of_texts(name, value)
     if array.dtype.kind not in "iuf":
         raise WrongType(f"{name}: must be numbers, not of type {array.dtype}")
+    if array.dtype == np.float64 and is_frozen(array):
+        return array
+    if array.size > 1 and not any(array.strides) and type(array) is np.ndarray:
+        # One number for all places stays one.
+        return np.broadcast_to(array.flat[:1].astype(np.float64).reshape(()), array.shape)
     floats = array.astype(np.float64)
     return np.ma.filled(floats, np.nan) if isinstance(floats, np.ma.MaskedArray) else floats
+
+
+def is_frozen(array: Any) -> bool:
+    """Whether nothing can change an array: neither it nor one whose memory it shows is writeable."""
+    while type(array) is np.ndarray and not array.flags.writeable:
+        array = array.base
+    return array is None
 
 
 def _of_texts(name: str, value: Any) -> WrongType:

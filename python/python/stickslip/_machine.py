@@ -20,7 +20,7 @@ from ._outputs import MachineResponseOutput, MachineSteadyOutput
 from ._physical import OF_BODY, Driven, Scaled, names_of, outputs_of, related
 from ._record import FloorSpectrum, Followed, Motion, Polarities, Record, Sliding, floor_spectrum, follow, motion, polarities
 from ._quantity import parted
-from ._result import RATIOS, Floats, Frozen, PhysicalResult, Points, Result, V, Words, are_equal, constant_or, named, of_type, one, points, read_only, short, whole_number
+from ._result import RATIOS, Floats, Frozen, Joined, PhysicalResult, Points, Result, V, Words, are_equal, blocks, named, of_type, one, points, read_only, short, whole_number
 from ._start import REST, STATE, Starts, three
 from ._steady import STEADY_OUTPUTS, MachineSteady
 
@@ -196,7 +196,7 @@ class Machine(Frozen, Generic[V]):
         own, failed, system = _bodies(given, units)
         if friction_backward is None:
             own["friction_backward"] = float("nan")
-        hidden = {"_own": own, "_keywords": kept(given), "_named": units is not None, "_failed": failed}
+        hidden = {"_own": own, "_keywords": kept(given, own), "_named": units is not None, "_failed": failed}
         shown: dict[str, Any] = {name: own[name] for name in OF_BODY}
         if friction_backward is None:
             shown["friction_backward"] = None
@@ -918,19 +918,25 @@ def _bodies(given: Mapping[str, Any], units: Optional[str]) -> tuple[dict[str, A
     # One of its numbers stands for an array when units are checked.
     single = {name: stand_in(parts[name][1], _any_of(numbered[name])) if name in numbered else value for name, value in given.items()}
     columns = [(name, np.ascontiguousarray(np.broadcast_to(array, shape)).reshape(-1)) for name, array in numbered.items()]
-    found, failed, system = _native.machines(texts(single), columns, int(np.prod(shape)), units)
+    # In parts, because all values of all bodies would take several times the memory of those that vary.
+    joined, failed = Joined(int(np.prod(shape))), dict[int, str]()
+    for part in blocks(joined.n):
+        cut = [(name, column[part]) for name, column in columns]
+        found, reasons, system = _native.machines(texts(single), cut, part.stop - part.start, units)
+        joined.put(part, found)
+        failed.update((part.start + place, reason) for place, reason in reasons)
     own = {}
-    for name, column in found.items():
-        array = constant_or(column.reshape(shape))
+    for name, column in joined.columns.items():
+        array = read_only(column).reshape(shape)
         own[name] = like.dressed(name, array, {}) if like is not None else array
     if "friction_backward" not in given:
         own["friction_backward"] = float("nan")
-    return own, dict(failed), system
+    return own, failed, system
 
 
 def _any_of(array: Floats) -> float:
-    usable = array[np.isfinite(array) & (array > 0)]
-    return float(usable.flat[0]) if usable.size else 1.0
+    usable = (array > 0) & (array < np.inf)
+    return float(array.flat[np.argmax(usable)]) if usable.any() else 1.0
 
 
 def without(asked: Optional[tuple[str, ...]]) -> Optional[tuple[str, ...]]:

@@ -74,7 +74,17 @@ class Driven(NamedTuple):
         at = self.at
         columns = dict(zip(at.given, at.columns))
         body, drive = ([columns[name] for name in group] for group in (OF_BODY, _OF_DRIVE))
-        return body, self.excitation, drive, 1 if at.shape is None else at.size
+        n = 1 if at.shape is None else at.size
+        if self._is_none:
+            # One number would be refused as the mass of all places.
+            body[0] = np.full(n, np.nan)
+        return body, self.excitation, drive, n
+
+    @property
+    def _is_none(self) -> bool:
+        """Whether there is one body, as an array of one, that is outside the domain."""
+        mass = self.at.given["mass"]
+        return self.at.shape is not None and mass.size == 1 and bool(np.isnan(mass.flat[0]))
 
     @property
     def is_one(self) -> bool:
@@ -92,7 +102,7 @@ class Driven(NamedTuple):
         """A ratio or a scale that is the same under all amplitudes and frequencies."""
         if name == "damping_ratio" and "damping_ratio" in self.at.given:
             return self.at.given["damping_ratio"]
-        if not self.is_one:
+        if not self.is_one or self._is_none:
             value: Value = self.columns(name)[0]
             return value
         columns = dict(zip(self.at.given, self.at.columns))

@@ -845,7 +845,7 @@ class Block(Frozen):
             body, system = _native.block(texts(given), units, angle, bool(one_way))
             failed = []
             values = dict(zip(_OF_BLOCK, body))
-        keywords = {**kept(given), "slope": slope, "one_way": one_way}
+        keywords = {**kept(given, values), "slope": slope, "one_way": one_way}
         hidden = {"_keywords": keywords, "_named": units is not None, "_stiffness": 0.0, "_failed": dict(failed)}
         shown = {name: value for name, value in values.items() if name != "stiffness"}
         for name, value in {**shown, "one_way": bool(one_way), "units": system, **hidden}.items():

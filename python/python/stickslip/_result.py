@@ -475,6 +475,9 @@ def are_same(one: Any, other: Any) -> bool:
         return list(one) == list(other) and all(are_same(one[name], other[name]) for name in one)
     if isinstance(one, Codes) and isinstance(other, Codes):
         return one.names == other.names and np.array_equal(one.places, other.places)
+    if isinstance(one, Codes) or isinstance(other, Codes):
+        # One of them has been read before, and the other has not.
+        one, other = (value.words() if isinstance(value, Codes) else value for value in (one, other))
     if is_labelled(one):
         return type(one) is type(other) and bool(one.equals(other))
     if isinstance(one, (np.ndarray, float)) and isinstance(other, (np.ndarray, float)):
@@ -516,14 +519,36 @@ class PhysicalResult(Result):
         return super()._is_at_hand(name) or is_at_hand is not None and is_at_hand(name)
 
 
-def constant_or(array: NDArray[Any]) -> NDArray[Any]:
-    """An array, in the memory of one number where all its values are the same."""
-    is_constant = array.size > 1 and bool(np.all(array == array.flat[0]))
-    return np.broadcast_to(array.flat[0], array.shape) if is_constant else array
+class Joined:
+    """Columns of `n` values, put together from parts. One whose values are all the same takes the memory of one number."""
+
+    def __init__(self, n: int) -> None:
+        self.n = n
+        self.columns: dict[str, NDArray[Any]] = {}
+
+    def put(self, part: slice, found: Mapping[str, NDArray[Any]]) -> None:
+        """Adds the next part of each column."""
+        for name, column in found.items():
+            known = self.columns.get(name)
+            before = column[:1] if known is None else known
+            if known is not None and known.size == self.n and any(known.strides):
+                known[part] = column
+            elif self.n > 1 and column.size and np.all(column == before[0]):
+                self.columns[name] = np.broadcast_to(before[0], part.stop)
+            elif column.size == self.n:
+                self.columns[name] = column
+            else:
+                self.columns[name] = whole = np.empty(self.n, column.dtype)
+                whole[: part.start], whole[part] = before[:1], column
 
 
 #: The points whose columns are in memory at once, where arrays are broadcast.
 _BLOCK = 1 << 18
+
+
+def blocks(n: int) -> Iterator[slice]:
+    """The places of many points in parts; one part where there are few or none."""
+    return (slice(low, min(low + _BLOCK, n)) for low in range(0, max(n, 1), _BLOCK))
 
 
 class Points(NamedTuple):

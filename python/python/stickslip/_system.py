@@ -60,7 +60,9 @@ class System:
     mass, damping, stiffness : matrix
         In place of bodies: matrices in ``units``, or without them in any consistent ones, with ``elements`` and ``harmonics`` as dicts, ``constant``,
         ``record`` and ``start``. Without units, frequencies are per unit of time. Frames of pandas and data arrays of xarray are put in the
-        order of the labels of the first; sparse matrices of SciPy are taken, too.
+        order of the labels of the first, and a series of constant forces, too; sparse matrices of SciPy are taken as they are.
+    coordinates : list of str
+        The names of the coordinates of matrices: by default the labels of the first, or q1, q2 and so on.
     folder : path
         The folder of files that are named.
 
@@ -106,6 +108,7 @@ class System:
         mass: Optional[ArrayLike] = None,
         damping: Optional[ArrayLike] = None,
         stiffness: Optional[ArrayLike] = None,
+        coordinates: Optional[Sequence[str]] = None,
         elements: Optional[Sequence[Mapping[str, Any]]] = None,
         constant: Optional[ArrayLike] = None,
         harmonics: Optional[Sequence[Mapping[str, Any]]] = None,
@@ -125,6 +128,7 @@ class System:
             "mass": mass,
             "damping": damping,
             "stiffness": stiffness,
+            "coordinates": coordinates,
             "elements": elements,
             "constant": constant,
             "harmonics": harmonics,
@@ -437,7 +441,7 @@ class System:
         Parameters
         ----------
         values : dict of str to values, or a frame of pandas
-            Paths with their values, such as ``{"bearing.friction": "100N:1kN:20"}``, or a sequence: each is an axis. Series with the same
+            Paths with their values, such as ``{"bearing.friction": "100N:900N:17"}``, or a sequence: each is an axis. Series with the same
             labels, and data arrays with the same dim, lie along one axis and change together; so do the columns of an array under
             a tuple of paths, and those of a frame, whose columns are paths and whose index labels the rows.
         frequency : values
@@ -577,25 +581,29 @@ def _axes_of(values: Any) -> list[_Axis]:
 
 
 def _aligned(given: dict[str, Any]) -> None:
-    """Puts labelled matrices in the order of the labels of the first, and makes sparse ones dense."""
+    """Puts labelled matrices and constant forces in the order of the labels of the first, which name the coordinates, and makes sparse ones
+    dense."""
     first: Optional[tuple[str, Any]] = None
-    for name in ("mass", "damping", "stiffness"):
+    for name in ("mass", "damping", "stiffness", "constant"):
         matrix = given[name]
         if hasattr(matrix, "toarray"):
             given[name] = matrix.toarray()
             continue
-        if not is_labelled(matrix) or np.ndim(matrix) != 2:
+        if not is_labelled(matrix) or np.ndim(matrix) != (1 if name == "constant" else 2):
             continue
         frame = matrix if is_pandas(matrix) else matrix.to_pandas()
-        rows, columns = frame.index, frame.columns
-        if type(rows).__name__ == type(columns).__name__ == "RangeIndex":
+        axes = [frame.index] if name == "constant" else [frame.index, frame.columns]
+        if all(type(axis).__name__ == "RangeIndex" for axis in axes):
             given[name] = frame.to_numpy()
             continue
-        first = first or (name, rows)
+        first = first or (name, axes[0])
         of, labels = first
-        if not (labels.is_unique and set(rows) == set(columns) == set(labels)):
-            raise Error(f"{name}: its rows and columns must have the labels of {of}")
-        given[name] = frame.loc[list(labels), list(labels)].to_numpy()
+        if not (labels.is_unique and all(len(axis) == len(labels) and set(axis) == set(labels) for axis in axes)):
+            raise Error(f"{name}: its {'values' if name == 'constant' else 'rows and columns'} must have the labels of {of}")
+        order = list(labels)
+        given[name] = (frame.loc[order] if name == "constant" else frame.loc[order, order]).to_numpy()
+    if first is not None and given["coordinates"] is None:
+        given["coordinates"] = [str(label) for label in first[1]]
 
 
 def _load(record: Record, units: Optional[str]) -> tuple[str, Floats, Floats]:

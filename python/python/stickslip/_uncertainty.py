@@ -15,8 +15,8 @@ from ._labels import WrongType, is_labelled, numbers
 from ._machine import Machine
 from ._native import REGIMES, Error
 from ._record import Record
-from ._physical import OF_BODY
-from ._result import Floats, Result, are_same, of_number, of_type, unknown, whole_number
+from ._physical import OF_BODY, related
+from ._result import Codes, Floats, Joined, Result, are_same, blocks, of_number, of_type, read_only, unknown, whole_number
 
 #: How a value is distributed: the relative standard deviation of a normal distribution, the ends of a uniform one, a function of
 #: a generator and a number of draws, a distribution of SciPy, or draws.
@@ -26,6 +26,8 @@ _OF_MACHINE = ("mass", "stiffness", "friction", "friction_backward", "damping", 
 _OF_LOAD = ("amplitude", "frequency", "angular_frequency", "mean_force")
 #: 97.5 % of a normal distribution lie below this.
 _QUANTILE = 1.959963984540054
+#: The number of draws from which on they are answered in pieces: no more is in memory than the draws and what is asked of them.
+_MANY = 1 << 20
 
 
 class MonteCarlo(NamedTuple):
@@ -59,13 +61,20 @@ class MonteCarlo(NamedTuple):
     @property
     def _is_valid(self) -> NDArray[np.bool_]:
         if "regime" in self.answer._names:
-            found: NDArray[np.bool_] = np.asarray(self.answer.regime) != "invalid"
-            return np.atleast_1d(found)
+            return ~self._has("invalid")
         return np.atleast_1d(~np.isnan(_column(self.answer, "path")))
+
+    def _has(self, regime: str) -> NDArray[np.bool_]:
+        """The draws of a regime. Codes are compared, because words of millions of draws take hundreds of megabytes."""
+        self.answer._compute(("regime",))
+        known = self.answer._values["regime"]
+        same = known.places == known.names.index(regime) if isinstance(known, Codes) else np.asarray(known) == regime
+        return np.atleast_1d(same)
 
     def _values(self, name: str) -> Floats:
         values = np.atleast_1d(_column(self.answer, name))
-        values = values[~np.isnan(values)]
+        missing = np.isnan(values)
+        values = values[~missing] if missing.any() else values
         if not values.size:
             raise Error(f"{name}: no draw has it")
         return values
@@ -133,7 +142,7 @@ class MonteCarlo(NamedTuple):
             regimes = [name for name in REGIMES if name != "invalid"]
             if is_met not in regimes:
                 raise unknown(f"is_met = {is_met!r}", is_met, regimes)
-            return np.atleast_1d(np.asarray(self.answer.regime) == is_met)
+            return self._has(is_met)
         given = is_met(self.answer) if callable(is_met) else is_met
         flags = np.asarray(given)
         if isinstance(given, np.ma.MaskedArray) or flags.dtype != np.bool_:
@@ -188,7 +197,8 @@ def monte_carlo(
     Returns
     -------
     MonteCarlo
-        With quantiles, intervals, means and probabilities. A draw outside the domain has NaN; ``invalid`` counts these.
+        With quantiles, intervals, means and probabilities. A draw outside the domain has NaN; ``invalid`` counts these. From 1,048,576
+        draws on under a drive each output is computed when it is read, or at once if ``outputs`` names it, in pieces.
 
     Examples
     --------
@@ -204,7 +214,9 @@ def monte_carlo(
     n = whole_number("draws", draws)
     random = np.random.default_rng(seed)
     drawn = {name: _draws(name, of, _value(machine, load, name), random, n) for name, of in vary.items()}
-    return MonteCarlo(drawn, _answered(machine, load, drawn, exact, outputs))
+    if n < _MANY or not drawn or isinstance(load, Record):
+        return MonteCarlo(drawn, _answered(machine, load, drawn, exact, outputs))
+    return MonteCarlo(drawn, _Pieces(machine, load, drawn, exact).answer(outputs))
 
 
 def sensitivities(
@@ -319,7 +331,7 @@ def _column(answer: Result, name: str) -> Floats:
         raise Error(f"output {name!r}: {error}") from None
     if values.dtype.kind not in "biuf":
         raise WrongType(f"output {name!r}: must be a number, not {'a word' if values.dtype.kind in 'UO' else values.dtype}")
-    return values.astype(np.float64)
+    return values.astype(np.float64, copy=False)
 
 
 def _value(machine: Machine[float], load: Any, name: str) -> float:
@@ -361,7 +373,44 @@ def _draws(name: str, of: Any, value: float, random: np.random.Generator, n: int
     found = numbers(name, drawn)
     if found.shape != (n,):
         raise Error(f"{name}: must have {n} draws, not the shape {found.shape}")
-    return found
+    # Outputs may be computed from it later.
+    return read_only(found)  # type: ignore[no-any-return]
+
+
+class _Pieces(NamedTuple):
+    """The question of many draws, each output of which is computed for a piece of them after the other."""
+
+    machine: Machine[float]
+    load: Drive[float]
+    drawn: Mapping[str, Floats]
+    exact: bool
+    is_in_ratios: bool = False
+
+    def _of(self, part: slice, outputs: Any = ()) -> Any:
+        drawn = {name: column[part] for name, column in self.drawn.items()}
+        return _answered(self.machine, self.load, drawn, self.exact, outputs)
+
+    def __call__(self, names: tuple[str, ...]) -> dict[str, Any]:
+        n = next(iter(self.drawn.values())).size
+        joined, words = Joined(n), dict[str, Sequence[str]]()
+        for part in blocks(n):
+            answer = self._of(part)
+            answer = answer.ratios if self.is_in_ratios else answer
+            answer._compute(names)
+            found = {name: answer._values[name] for name in names}
+            words |= {name: value.names for name, value in found.items() if isinstance(value, Codes)}
+            joined.put(part, {name: value.places if isinstance(value, Codes) else value for name, value in found.items()})
+        return {name: Codes(column, words[name]) if name in words else column for name, column in joined.columns.items()}
+
+    def answer(self, outputs: Optional[Iterable[str]]) -> Any:
+        """The answer of all draws: with the names, the units and the ratios of the answer of one."""
+        chosen = outputs if outputs is None else tuple([outputs] if isinstance(outputs, str) else outputs)
+        one = self._of(slice(1), chosen)
+        ratios = type(one.ratios)({}, self._replace(is_in_ratios=True), chosen=one.ratios._chosen)
+        whole = related(type(one)({}, self, units=one.units, chosen=one._chosen), ratios, one._driven)
+        if chosen is not None:
+            whole._compute(whole._chosen)
+        return whole
 
 
 def _answered(machine: Machine[float], load: Any, drawn: Mapping[str, Floats], exact: bool, outputs: Any) -> Any:

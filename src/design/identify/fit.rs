@@ -15,7 +15,7 @@ use super::search::StartGrid;
 use super::search::kept;
 use super::valleys::lowest;
 use crate::machine::error::{Error, Quantity, written};
-use crate::machine::oscillator::{Drive, Excitation, Oscillator};
+use crate::machine::oscillator::{Drive, Excitation, Oscillator, critical_damping};
 use crate::machine::ratios::{Ratios, finite, positive};
 use crate::motion::{State, Trajectory};
 use crate::uncertainty::Estimate;
@@ -36,6 +36,14 @@ pub(super) enum Spring {
 }
 
 impl Spring {
+    /// The damping constant for each unit of the ζ of the search.
+    fn critical_damping(&self) -> f64 {
+        match *self {
+            Self::Of(body) => critical_damping(body.mass(), body.stiffness()),
+            Self::None { mass, lowest } => 2.0 * mass * lowest,
+        }
+    }
+
     /// The body at a frequency, and its damping ratio for each unit of that of the search.
     fn at(&self, frequency: f64) -> Result<(Oscillator<f64>, f64), Error> {
         match *self {
@@ -103,6 +111,7 @@ pub(super) fn identified(
             (low * force, high * force),
         ),
         damping_ratio: estimate(zeta, of_damping, (0.0, f64::INFINITY), of_zeta),
+        critical_damping: body.critical_damping(),
         natural_frequency: None,
         force: None,
         noise,

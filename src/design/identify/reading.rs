@@ -93,6 +93,8 @@ pub struct Identified {
     pub friction_bound: Estimate,
     /// The damping ratio ζ ≥ 0; `c = 2ζ√(k m)`.
     pub damping_ratio: Estimate,
+    /// The damping constant c of ζ = 1, in units of mass × angular frequency: 2√(k m), and without a spring 2 m ω₁.
+    pub critical_damping: f64,
     /// The natural angular frequency ω_n where the stiffness was not known.
     pub natural_frequency: Option<Estimate>,
     /// The amplitude p₀ of the force where it was not known.

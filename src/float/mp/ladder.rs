@@ -1,7 +1,7 @@
 //! A precision chosen at run time: the least of several widths that has enough bits.
 
 use super::Mp;
-use super::words::{self, at_words};
+use super::words::{self, GREATEST, at_words};
 use crate::float::Float;
 use core::fmt::{Debug, Display, LowerExp};
 use core::str::FromStr;
@@ -62,8 +62,25 @@ pub const WIDTHS: &[u32] = &[128, 256, 1024, 4096, 8192];
 /// # Errors
 /// [`PrecisionError`] where `bits` is 0 or more than the last of [`WIDTHS`].
 pub fn with_precision<W: WithPrecision>(bits: u32, computation: W) -> Result<W::Output, PrecisionError> {
+    Ok(at_words!(words_of(bits)?, |CAPACITY| computation.run::<Mp<CAPACITY>>()))
+}
+
+/// The type of one copy of a computation for all widths. Its numbers take a kilobyte each, so that it is slower at few bits.
+#[doc(hidden)]
+pub type Widest = Mp<GREATEST>;
+
+/// Runs a computation over [`Widest`] at the width of [`with_precision`].
+///
+/// # Errors
+/// As [`with_precision`].
+#[doc(hidden)]
+pub fn with_bits<T>(bits: u32, computation: impl FnOnce() -> T) -> Result<T, PrecisionError> {
+    Ok(words::with_words(words_of(bits)?, computation))
+}
+
+/// The number of limbs of the least width with so many bits.
+fn words_of(bits: u32) -> Result<u32, PrecisionError> {
     let width = WIDTHS.iter().find(|width| bits > 0 && bits <= **width);
     let greatest = WIDTHS.last().copied().unwrap_or(0);
-    let width = width.ok_or(PrecisionError { bits, greatest })?;
-    Ok(at_words!(width / 64, |CAPACITY| computation.run::<Mp<CAPACITY>>()))
+    width.map(|width| width / 64).ok_or(PrecisionError { bits, greatest })
 }

@@ -13,8 +13,11 @@ thread_local! {
 /// Whether the numbers with this many limbs take their precision from the computation. No other type takes one of these as
 /// its wider or narrower one.
 pub(crate) const fn is_capacity(limbs: usize) -> bool {
-    matches!(limbs, 26 | 130)
+    matches!(limbs, 26 | GREATEST)
 }
+
+/// The limbs of the greater capacity.
+pub(crate) const GREATEST: usize = 130;
 
 /// The number of limbs set on this thread; without one, more than any number has.
 pub(crate) fn here() -> u32 {
@@ -45,7 +48,7 @@ macro_rules! at_words {
                 const $capacity: usize = 26;
                 $code
             } else {
-                const $capacity: usize = 130;
+                const $capacity: usize = $crate::float::words::GREATEST;
                 $code
             }
         })

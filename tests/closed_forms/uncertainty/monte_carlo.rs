@@ -49,7 +49,8 @@ fn probabilities_and_quantiles_are_those_of_the_distribution() {
         found.quantile(Output::Margin, 1.1).is_none() && found.quantile(Output::Deviation, 0.5).is_none()
     );
     // Quantiles are linear between the ordered values.
-    let values = found.values(Output::Margin);
+    let values = &found[Output::Margin];
+    assert!(values == found.values(Output::Margin) && found[Output::MaxVelocity].is_empty());
     for (i, part) in [(0usize, 0.25), (1234, 0.5), (39_998, 0.75)] {
         let share = (i as f64 + part) / (values.len() - 1) as f64;
         let due = values[i] * (1.0 - part) + values[i + 1] * part;

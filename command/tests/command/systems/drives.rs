@@ -449,3 +449,40 @@ fn a_drive_that_cannot_be_is_refused_on_one_line() {
     stdout(&line);
     refused(&format!("system {} steady", file.display()), &["must repeat themselves"]);
 }
+
+/// A record of another quantity is met by what its header needs, and the name of a file in place of a quantity by the table of a record.
+#[test]
+fn what_is_written_in_place_of_a_wrong_record() {
+    let rest = "\n[[contacts]]\nbetween = [\"ground\", \"box\"]\nfriction = \"2 N\"\n";
+    let files = [
+        ("base.toml", format!("masses = {{ box = \"1 kg\" }}{rest}[base]\nvelocity = \"force.csv\"\n")),
+        (
+            "moved.toml",
+            format!("[masses]\nbox = \"1 kg\"\npad = {{ moves = {{ displacement = \"force.csv\" }} }}{rest}"),
+        ),
+        ("side.toml", format!("masses = {{ box = \"1 kg\" }}{rest}moves = \"force.csv\"\n")),
+        (
+            "normal.toml",
+            format!("masses = {{ box = \"1 kg\" }}{rest}normal_load = \"force.csv\"\n")
+                .replace("friction = \"2 N\"", "coefficient = 0.2"),
+        ),
+    ];
+    let folder = folder("wrong_record", &[("force.csv", "time[s],force[N]\n0,0\n1,5\n2,1\n")]);
+    for (name, text) in &files {
+        let text = format!("units = \"N,mm\"\n{text}");
+        std::fs::write(folder.join(name), text).unwrap();
+        let line = format!("system {} simulate --until 1s", folder.join(name).display());
+        let why = match *name {
+            "base.toml" => {
+                "has no column of a velocity (m/s, mm/s, in/s): time, force. Write its unit after its name"
+            }
+            "moved.toml" => {
+                "has no column of a length (m, mm, in): time, force. Write its unit after its name"
+            }
+            _ => "must be a number. A record is a table, { file = \"force.csv\" }",
+        };
+        refused(&line, &[why]);
+        let said = said(&stickslip(&line).assert().code(2).get_output().stderr);
+        assert!(!said.contains("is read with"), "{said}");
+    }
+}

@@ -153,7 +153,10 @@ fn of_quantity(
         [one] => Ok(*one),
         [] => {
             let (due, file) = (kind.expected(), options.name);
-            Err(format!("{file}: has no column of {due}: {}", listed(names, 0..names.len())))
+            let all = listed(names, 0..names.len());
+            Err(format!(
+                "{file}: has no column of {due}: {all}. Write its unit after its name, as in time[s]"
+            ))
         }
         many => Err(format!(
             "{}: has the columns {}. Choose one by {}",

@@ -1,0 +1,104 @@
+//! A system in numbers of any precision. It is compiled here, once for all of them.
+
+use super::built::NamedSystem;
+use super::grid::{Cell, Grid};
+use crate::inputs::units::System as Units;
+use serde_json::Value;
+use std::ops::ControlFlow;
+use std::path::Path;
+use stickslip::float::Widest;
+use stickslip::motion::record::Record;
+use stickslip::system::{Border, Cycle, Error, Motion, State, Steady};
+
+/// A described system with its motions, in numbers of the precision that is set.
+#[derive(Debug, Clone)]
+pub struct WideSystem(NamedSystem<Widest>);
+
+impl WideSystem {
+    /// As [`NamedSystem::new`], of a value that [`parsed_as_typed`](super::parsed_as_typed) returned; motions are followed as long as
+    /// `keep_going` returns [`ControlFlow::Continue`].
+    ///
+    /// # Errors
+    /// As there; also where the file has a law that is a curve, or a sweep.
+    pub fn new(
+        value: &Value,
+        set: &[(&str, &str)],
+        folder: &Path,
+        units: Option<&Units>,
+        keep_going: fn() -> ControlFlow<()>,
+    ) -> Result<Self, String> {
+        let found = NamedSystem::read(value, set.iter().copied(), folder, units)?;
+        Ok(Self(found.while_allowed(keep_going)))
+    }
+
+    /// The system.
+    #[must_use]
+    pub const fn named(&self) -> &NamedSystem<Widest> {
+        &self.0
+    }
+
+    /// As [`NamedSystem::with_record`].
+    ///
+    /// # Errors
+    /// As there.
+    pub fn with_record(self, record: &Record<Widest>, name: &str) -> Result<Self, String> {
+        self.0.with_record(record, name).map(Self)
+    }
+
+    /// As [`NamedSystem::until`].
+    ///
+    /// # Errors
+    /// As there.
+    pub fn until(&mut self, name: &str, typed: Option<&str>) -> Result<Widest, String> {
+        self.0.until_by(name, typed, |own, level, latest| {
+            Ok(own.system.first_passage(&own.described.start, level, latest)?)
+        })
+    }
+
+    /// As [`NamedSystem::simulate`].
+    ///
+    /// # Errors
+    /// As [`System::simulate`](stickslip::system::System::simulate).
+    pub fn simulate(&self, until: Widest) -> Result<Motion<Widest>, Error> {
+        self.0.system.simulate(&self.0.described.start, until)
+    }
+
+    /// As [`NamedSystem::steady`].
+    ///
+    /// # Errors
+    /// As [`System::steady`](stickslip::system::System::steady).
+    pub fn steady(&self) -> Result<Steady<Widest>, Error> {
+        self.0.system.steady(&self.0.described.start)
+    }
+
+    /// As [`NamedSystem::states`].
+    ///
+    /// # Errors
+    /// As [`System::states`](stickslip::system::System::states).
+    pub fn states(&self, start: &State<Widest>, times: &[Widest]) -> Result<Vec<State<Widest>>, Error> {
+        self.0.system.states(start, times)
+    }
+
+    /// The border, and the cycle at the load of the file, where it is a motion.
+    ///
+    /// # Errors
+    /// As [`System::border`](stickslip::system::System::border).
+    pub fn border(&self) -> Result<(Border<Widest>, Option<Cycle<Widest>>), Error> {
+        self.0.border()
+    }
+}
+
+impl Grid<'_> {
+    /// The cells of a row's answer in numbers of the precision that is set, without records and without laws that are curves. `until` is the
+    /// end of a motion, as it is typed with the option `name`.
+    ///
+    /// # Errors
+    /// As [`Grid::answer`].
+    pub fn answer_in_full(
+        &self,
+        row: u64,
+        until: Option<(&str, &str)>,
+    ) -> Result<Vec<Cell<'static, Widest>>, String> {
+        self.answer_in(row, until)
+    }
+}
