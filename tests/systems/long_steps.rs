@@ -6,7 +6,7 @@ use crate::count;
 use crate::generator::Random;
 use crate::precise::{far, truth};
 use stickslip::system::{
-    Beyond, Element, EventKind, Harmonic, Kind, Law, Model, Motion, Record, Signal, State, System,
+    Beyond, Element, Error, EventKind, Harmonic, Kind, Law, Model, Motion, Record, Signal, State, System,
 };
 
 fn element(direction: Vec<f64>, moves: f64, kind: Kind<f64>) -> Element<f64> {
@@ -162,7 +162,7 @@ fn rounded(model: &Model<f64>, by: f64) -> Model<f64> {
 #[test]
 fn stiff_machines_move_as_by_short_steps() {
     let mut random = Random(78);
-    let (mut compared, mut long, mut worst, mut events, mut rough) = (0, 0, 0.0_f64, 0, 0);
+    let (mut compared, mut long, mut worst, mut events, mut rough, mut undecided) = (0, 0, 0.0_f64, 0, 0, 0);
     for number in 0..count(60, 500) {
         let model = stiff(&mut random);
         let until = random.between(3.0, 9.0);
@@ -176,6 +176,11 @@ fn stiff_machines_move_as_by_short_steps() {
         let found = system.simulate(&start, until);
         let (short, found) = match (short, found) {
             (Ok(short), Ok(found)) => (short, found),
+            // Contacts that share a force: what is undecided for one is for the other.
+            (Err(short), Err(found)) if short == found && matches!(short, Error::Undecided { .. }) => {
+                undecided += 1;
+                continue;
+            }
             (short, found) => panic!("{number}: {:?} {:?}\n{model:?}", short.err(), found.err()),
         };
         let turned = [3.0, -5.0].map(|by| {
@@ -221,9 +226,10 @@ fn stiff_machines_move_as_by_short_steps() {
         events += found.events.len();
     }
     println!(
-        "{compared} machines, {long} with long steps, {events} events, apart by {worst:e}; {rough} multiply their rounding"
+        "{compared} machines, {long} with long steps, {events} events, apart by {worst:e}; {rough} multiply their rounding, {undecided} are undecided"
     );
     assert!(compared > count(25, 300) && events > 5 * compared, "{compared} {events}");
+    assert!(undecided * 50 <= compared, "{undecided} of {compared}");
     assert!(long * 3 > compared && rough * 10 < compared, "{long} and {rough} of {compared}");
 }
 

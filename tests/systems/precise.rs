@@ -410,8 +410,8 @@ fn the_growth_of_a_disturbance_is_that_of_two_motions_apart() {
     assert!(growth > 1e8 && (0.1..10.0).contains(&by), "{growth:e} {:e}", found.disturbance_growth);
 }
 
-/// How far a motion from rest ends from that at 128 bits, and how its greatest velocities lie from those: in parts of the greatest displacements
-/// and velocities. None where 128 bits have other events or decide what f64 takes for one instant.
+/// How far a motion from rest is from that at 128 bits: its end, greatest velocities, forces and works, in parts of the greatest of each. None where 128 bits have other events, or nothing
+/// moves but by rounding.
 pub(crate) fn far(until: f64, found: &Motion<f64>, truth: &Motion<Wide>) -> Option<f64> {
     let due = truth.events.iter().map(|e| (e.element, e.kind));
     if !found.events.iter().map(|e| (e.element, e.kind)).eq(due) {
@@ -419,13 +419,23 @@ pub(crate) fn far(until: f64, found: &Motion<f64>, truth: &Motion<Wide>) -> Opti
     }
     let sizes = |lists: [&[Wide]; 2]| lists.concat().iter().map(|x| x.to_f64().abs()).fold(0.0, f64::max);
     let reach = sizes([&truth.max_displacement, &truth.min_displacement]);
+    if reach < 1e-15 {
+        return None;
+    }
     // The velocity of a machine that has hardly moved is rounding.
     let speed = sizes([&truth.max_velocity, &truth.min_velocity]).max(reach / until);
+    let works = [found.load_work, found.damper_work];
+    let works: Vec<f64> = found.elements.iter().map(|e| e.work).chain(works).collect();
+    let due = [truth.load_work, truth.damper_work];
+    let due: Vec<Wide> = truth.elements.iter().map(|e| e.work).chain(due).collect();
+    let (force, work) = (sizes([&truth.end.force, &[]]), sizes([&due, &[]]));
     let pairs = [
         (&found.end.displacement, &truth.end.displacement, reach),
         (&found.end.velocity, &truth.end.velocity, speed),
         (&found.max_velocity, &truth.max_velocity, speed),
         (&found.min_velocity, &truth.min_velocity, speed),
+        (&found.end.force, &truth.end.force, force),
+        (&works, &due, work),
     ];
     let by = pairs.map(|(a, b, size)| {
         let far = a.iter().zip(b).map(|(&a, &b)| (Wide::from_f64(a) - b).to_f64().abs());
