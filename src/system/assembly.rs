@@ -138,6 +138,8 @@ pub(crate) struct Assembly<F> {
     pub(crate) jerks: bool,
     /// The row of the base's acceleration at each coordinate; none without a base.
     pub(crate) base: Vec<Vec<F>>,
+    /// Whether fast modes are set apart.
+    pub(crate) splits: bool,
     /// Whether motions are followed further.
     pub(crate) keep_going: fn() -> ControlFlow<()>,
 }
@@ -197,6 +199,7 @@ impl<F: Float> Assembly<F> {
             levels: Vec::new(),
             jerks: false,
             base: Vec::new(),
+            splits: true,
             keep_going: || ControlFlow::Continue(()),
         };
         for (i, level) in model.levels.iter().enumerate() {

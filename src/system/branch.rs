@@ -20,6 +20,7 @@ use super::first_passage::{bernstein_of_rows, integer};
 use super::matrix::{Matrix, Sparse, add_times, dot, is_small};
 use super::mode::{Mode, sign};
 use super::propagator::{Bound, Powers, Propagator, exponential};
+use super::split::Split;
 use super::tie::Tie;
 use crate::float::Float;
 use alloc::rc::Rc;
@@ -125,6 +126,8 @@ pub(crate) struct Branch<F> {
     pub(crate) tension: Vec<Vec<F>>,
     /// What coordinates without mass do, if there are any.
     pub(crate) tie: Option<Tie<F>>,
+    /// The branch without its fast modes, the one with the longest steps first; none where no modes are so much faster.
+    pub(crate) splits: Vec<Split<F>>,
 }
 
 impl<F: Float> Hull<F> {
@@ -166,16 +169,16 @@ struct Terms<'a, F> {
 }
 
 /// What the rows of a branch need.
-struct Series<'a, F> {
-    transposed: &'a Sparse<F>,
-    step: F,
-    bound: &'a Bound<F>,
-    degree: usize,
+pub(super) struct Series<'a, F> {
+    pub(super) transposed: &'a Sparse<F>,
+    pub(super) step: F,
+    pub(super) bound: &'a Bound<F>,
+    pub(super) degree: usize,
 }
 
 impl<F: Float> Series<'_, F> {
     /// The rows `g Aᵏ hᵏ/k!` for k = 0 … `last`, one after the other.
-    fn terms(&self, row: &[F], last: usize) -> Vec<F> {
+    pub(super) fn terms(&self, row: &[F], last: usize) -> Vec<F> {
         let mut terms = Vec::with_capacity((last + 1) * row.len());
         terms.extend_from_slice(row);
         series(self.transposed, self.step, last, row.len(), &mut terms);
@@ -189,13 +192,13 @@ impl<F: Float> Series<'_, F> {
     }
 
     /// The row of the rounding.
-    fn rounding(&self, row: &[F]) -> Vec<F> {
+    pub(super) fn rounding(&self, row: &[F]) -> Vec<F> {
         let count = integer::<F>((self.degree + 1) * (row.len() + 3)) * F::epsilon();
         self.bound.of(row).into_iter().map(|x| x * count).collect()
     }
 
     /// The error bound where the term with this number is the first that is left out.
-    fn error_of(&self, rounding: &[F], terms: &[F], first: usize) -> Vec<F> {
+    pub(super) fn error_of(&self, rounding: &[F], terms: &[F], first: usize) -> Vec<F> {
         let mut error = rounding.to_vec();
         let size = rounding.len();
         if let Some(rest) = terms.get(first * size..(first + 1) * size) {
@@ -206,7 +209,7 @@ impl<F: Float> Series<'_, F> {
 }
 
 /// Continues a list of vectors of a size with `Aᵏ x tᵏ/k!` up to k = `last`.
-fn series<F: Float>(a: &Sparse<F>, time: F, last: usize, size: usize, terms: &mut Vec<F>) {
+pub(super) fn series<F: Float>(a: &Sparse<F>, time: F, last: usize, size: usize, terms: &mut Vec<F>) {
     // A product writes whole blocks.
     terms.resize((last + 1) * size + 8, F::int(0));
     let mut rest = terms.as_mut_slice();
@@ -263,6 +266,18 @@ impl<F: Float> Branch<F> {
             guard.taylor = columns_of(&terms, system.size, degree + 1);
             all.push(terms);
         }
+        let roundings: Vec<(&Guard<F>, F)> = guards
+            .iter()
+            .map(|guard| {
+                let corner = corner(system, modes, guard).unwrap_or(F::int(0));
+                (guard, corner * F::epsilon() * F::int(64))
+            })
+            .collect();
+        let splits = if system.splits {
+            Split::all(system, &a, &roundings, step, longest, degree)
+        } else {
+            Vec::new()
+        };
         let hull = Hull::new(system.size, all.iter().zip(low).map(|(terms, error)| Terms { terms, error }));
         let speed_errors = vec![OnceCell::new(); modes.len()];
         let mut terms = is_small::<F>(system.size).then(|| Propagator::zero(0, 0));
@@ -283,6 +298,7 @@ impl<F: Float> Branch<F> {
             hull,
             tension,
             tie,
+            splits,
         }
     }
 
@@ -294,7 +310,8 @@ impl<F: Float> Branch<F> {
         let hull = self.hull.coefficients.entries() + self.hull.errors.entries();
         let terms = self.terms.as_ref().map_or(0, Propagator::entries);
         let powers = self.powers.entries();
-        let entries = self.whole.entries() + powers + terms + self.bound.entries() + hull;
+        let splits: usize = self.splits.iter().map(Split::entries).sum();
+        let entries = self.whole.entries() + splits + powers + terms + self.bound.entries() + hull;
         let tension = self.tension.iter().map(Vec::len).sum::<usize>();
         let sparse = 4 * self.a.rows().map(<[_]>::len).sum::<usize>();
         (guards + speeds + entries + tension + sparse) * size_of::<F>()
@@ -307,6 +324,11 @@ impl<F: Float> Branch<F> {
             Series { transposed, step: *step, bound, degree: *degree }.error(velocity)
         };
         self.speed_errors.get(element).map_or(&[], |place| place.get_or_init(error))
+    }
+
+    /// Its longest step.
+    pub(crate) fn longest(&self) -> F {
+        self.splits.first().map_or(self.step, |split| split.step.or_larger(self.step))
     }
 
     /// The size of an entry of `A z`: `|A| |z|`.
@@ -326,16 +348,8 @@ impl<F: Float> Branch<F> {
         result
     }
 
-    /// How many Taylor terms are above rounding over a time t ≤ h.
     fn degree_over(&self, time: F) -> usize {
-        let (part, least) = (time / self.step, F::epsilon() / F::int(64));
-        let mut term = part;
-        (1..self.degree)
-            .find(|&k| {
-                term = term * part / integer(k + 1);
-                term <= least
-            })
-            .unwrap_or(self.degree)
+        degree_over(time, self.step, self.degree)
     }
 
     /// The Taylor coefficients `Aᵏ z tᵏ/k!` over a time t ≤ h, one after the other in one list.
@@ -375,8 +389,20 @@ impl<F: Float> Branch<F> {
     }
 }
 
+/// How many Taylor terms are above rounding over a time t ≤ h.
+pub(super) fn degree_over<F: Float>(time: F, step: F, degree: usize) -> usize {
+    let (part, least) = (time / step, F::epsilon() / F::int(64));
+    let mut term = part;
+    (1..degree)
+        .find(|&k| {
+            term = term * part / integer(k + 1);
+            term <= least
+        })
+        .unwrap_or(degree)
+}
+
 /// The matrix whose columns are the first vectors of this size in a list.
-fn columns_of<F: Float>(list: &[F], size: usize, count: usize) -> Matrix<F> {
+pub(super) fn columns_of<F: Float>(list: &[F], size: usize, count: usize) -> Matrix<F> {
     let mut matrix = Matrix::zero(size, count);
     for (k, vector) in list.chunks_exact(size.max(1)).take(count).enumerate() {
         vector.iter().enumerate().for_each(|(j, &x)| matrix.set(j, k, x));

@@ -4,7 +4,10 @@ use super::assembly::Assembly;
 use super::blow::{Blow, Reset};
 use super::branch::Branch;
 use super::propagator::Propagator;
+use super::split::Leap;
+use crate::float::Float;
 use crate::named::named;
+use alloc::vec::Vec;
 
 named! {
     /// The kind of an event.
@@ -86,6 +89,18 @@ pub(crate) struct Stretch<'a, F> {
     pub(crate) motion: Option<&'a Propagator<F>>,
     /// Whether it is a whole step of the branch, which goes on.
     pub(crate) is_whole: bool,
+    /// Set where it is a long step, without the fast modes of the branch.
+    pub(crate) leap: Option<Leap<'a, F>>,
+}
+
+impl<F: Float> Stretch<'_, F> {
+    /// The Taylor terms of the state, in a long step without the fast modes.
+    pub(crate) fn taylor(&self, terms: &mut Vec<F>) {
+        match &self.leap {
+            Some(leap) => leap.taylor(self.from, terms),
+            None => self.branch.taylor(self.from, self.time, terms),
+        }
+    }
 }
 
 /// Watches nothing.

@@ -16,6 +16,7 @@ use super::mode::{Mode, lock, slides, yields};
 use super::model::State;
 use super::precision::small;
 use super::propagator::Propagator;
+use super::waves::Complex;
 use crate::float::Float;
 use crate::machine::error::written;
 use alloc::vec;
@@ -32,6 +33,9 @@ pub(super) fn most_steps<F>(system: &Assembly<F>) -> u64 {
 fn steps_between_questions<F: Float>() -> u64 {
     if F::precision() > 64 { 1 } else { 512 }
 }
+
+/// Where no long step is possible, the next one is tried after so many short ones.
+const SHORT_STEPS: u32 = 8;
 
 /// The motion at one instant.
 pub(crate) struct Follower<'a, F> {
@@ -58,6 +62,9 @@ pub(crate) struct Follower<'a, F> {
     after: Vec<F>,
     /// e^{At} over a part of a step.
     motion: Propagator<F>,
+    /// The fast modes of a long step that is tried, and the short steps until the next one is.
+    amplitudes: Vec<Complex<F>>,
+    wait: u32,
 }
 
 /// A motion at one instant, to be taken up again.
@@ -110,6 +117,8 @@ impl<'a, F: Float> Follower<'a, F> {
             terms: Vec::new(),
             after: Vec::new(),
             motion: Propagator::zero(system.size, system.free),
+            amplitudes: Vec::new(),
+            wait: 0,
         };
         debug_assert_eq!(start.displacement.len(), n, "the state has been checked");
         follower.set_phase();
@@ -174,6 +183,7 @@ impl<'a, F: Float> Follower<'a, F> {
         self.instant = 0;
         self.set_sample();
         self.branches.enter(self.system, &saved.modes);
+        self.wait = 0;
         self.kept.clone_from(&saved.kept);
         self.blows.clone_from(&saved.blows);
     }
@@ -327,6 +337,7 @@ impl<'a, F: Float> Follower<'a, F> {
     /// Makes the branch with these modes the present one.
     fn enter(&mut self, modes: &[Mode]) {
         self.branches.enter(self.system, modes);
+        self.wait = 0;
         self.kept.renew(self.system, self.branches.current(), &self.z);
     }
 
@@ -376,6 +387,10 @@ impl<'a, F: Float> Follower<'a, F> {
         let Some(branch) = self.branches.current() else { return Ok(Vec::new()) };
         self.sizes.clear();
         self.sizes.extend(self.z.iter().map(|x| x.abs()));
+        if !branch.splits.is_empty() && self.leap(rest, end, watch)? {
+            return Ok(Vec::new());
+        }
+        let Some(branch) = self.branches.current() else { return Ok(Vec::new()) };
         branch.hull.at(&self.z, &self.sizes, &mut self.values, &mut self.errors);
         let whole = rest >= branch.step;
         let time = if whole { branch.step } else { rest };
@@ -437,7 +452,10 @@ impl<'a, F: Float> Follower<'a, F> {
             let (from, to) = (&self.z, &self.after);
             let at = self.clock.value;
             let is_whole = event.is_none() && whole;
-            watch.stretch(system, &Stretch { branch, from, to, time: lasted, at, motion, is_whole });
+            watch.stretch(
+                system,
+                &Stretch { branch, from, to, time: lasted, at, motion, is_whole, leap: None },
+            );
         }
         // A flight between small blows takes its time.
         if lasted > branch.step * small(24) || (is_near && lasted > F::int(0)) {
@@ -453,6 +471,45 @@ impl<'a, F: Float> Follower<'a, F> {
         }
         let Some((_, number)) = event else { return Ok(Vec::new()) };
         Ok(self.fired(number, is_forced))
+    }
+
+    /// A long step, over which no guard reaches zero whatever the fast modes do: whether there is one.
+    fn leap(&mut self, rest: F, end: F, watch: &mut impl Watch<F>) -> Result<bool, Error> {
+        if self.wait > 0 {
+            self.wait -= 1;
+            return Ok(false);
+        }
+        let system = self.system;
+        let Some(branch) = self.branches.current().filter(|_| !self.blows.is_near()) else {
+            return Ok(false);
+        };
+        let found = branch.splits.iter().find_map(|split| {
+            let time = split.clear_time(&self.z, &self.sizes, rest, &mut self.amplitudes, &mut self.terms)?;
+            Some((split, time))
+        });
+        let Some((split, time)) = found else {
+            self.wait = SHORT_STEPS;
+            return Ok(false);
+        };
+        let leap = split.leap(&self.amplitudes, time);
+        self.after.resize(self.z.len(), F::int(0));
+        leap.after(&self.z, &mut self.terms, &mut self.after);
+        if !self.after.iter().all(|x| x.is_finite()) {
+            return Err(Error::Unbounded { time: written(self.time()) });
+        }
+        let (from, to, at) = (&*self.z, &*self.after, self.clock.value);
+        let stretch = Stretch { branch, from, to, time, at, motion: None, is_whole: false, leap: Some(leap) };
+        watch.stretch(system, &stretch);
+        (self.at_sample, self.instant) = (false, 0);
+        self.blows.moved(system, &self.sizes, F::int(1), time);
+        core::mem::swap(&mut self.z, &mut self.after);
+        self.kept.restore(system, branch, &mut self.z);
+        if time < rest {
+            self.clock.add(time);
+        } else {
+            self.clock = Sum::at(end);
+        }
+        Ok(true)
     }
 
     /// The guards that are zero now: the one found, and those that rounding cannot tell from it.

@@ -2,6 +2,7 @@
 //! the motion goes to it.
 
 use super::assembly::Assembly;
+use super::branch::Branch;
 use super::error::Error;
 use super::first_passage::integer;
 use super::fixed_point::{Fixed, newton};
@@ -39,7 +40,7 @@ pub(crate) fn steady<'a, F: Float>(
     slowest: impl FnOnce() -> Option<F>,
     follower: Follower<'a, F>,
 ) -> Result<Steady<F>, Error> {
-    let step = follower.branch().map_or(period, |branch| branch.step);
+    let step = follower.branch().map_or(period, Branch::longest);
     if !step.is_finite() || period > step * integer(MOST_STEPS) {
         return Err(Error::Unsupported {
             name: "period of the loads".to_string(),

@@ -66,7 +66,8 @@ impl<F: Float> Kept<F> {
         }
     }
 
-    fn restore(&self, system: &Assembly<F>, branch: &Branch<F>, z: &mut [F]) {
+    /// Brings the state back to what is kept.
+    pub(crate) fn restore(&self, system: &Assembly<F>, branch: &Branch<F>, z: &mut [F]) {
         let n = system.n;
         let stuck = places(&branch.modes, Mode::is_held);
         match &branch.tie {

@@ -1,6 +1,6 @@
 //! The answers of a motion: events, extremes, time at rest, and energy.
 
-use super::assembly::{Assembly, Driven, Part, Rule};
+use super::assembly::{Assembly, Driven, Part, Rule, unit};
 use super::blow::Blow;
 use super::branch::{Branch, static_bound};
 use super::dependent::least;
@@ -12,6 +12,7 @@ use super::matrix::{Matrix, Sum, add_times, dot, entries, size_of_dot};
 use super::mode::{Mode, places};
 use super::model::State;
 use super::under::loaded;
+use super::waves::{self, Products, Waves, opposite};
 use crate::float::Float;
 use alloc::string::String;
 use alloc::vec;
@@ -194,12 +195,30 @@ impl<F: Float> Observer<F> {
     }
 
     /// The extremes of q and q′ over a stretch, whose Taylor terms are known.
-    fn extremes(&mut self, count: usize, to: &[F]) {
+    fn extremes(&mut self, count: usize, to: &[F], waves: Option<&Waves<F>>) {
+        // What is far below the rounding of all displacements, or velocities, is a coordinate that does not move.
+        let floor = |list: Option<&[F]>| {
+            let most = list.unwrap_or(&[]).iter().fold(F::int(0), |most, x| most.or_larger(x.abs()));
+            most * F::epsilon() * F::epsilon()
+        };
+        let floors = waves.map(|_| (floor(to.get(..self.n)), floor(to.get(self.n..2 * self.n))));
         let known = self.greatest.iter_mut().zip(&mut self.least).zip(to);
-        for (entry, ((greatest, least), &end)) in self.entries.chunks_exact(count).zip(known) {
+        for (i, (entry, ((greatest, least), &end))) in self.entries.chunks_exact(count).zip(known).enumerate()
+        {
             *greatest = greatest.or_larger(end);
             *least = if end < *least { end } else { *least };
             let c = trimmed(entry);
+            if let Some(waves) = waves {
+                let reach = c.iter().fold(F::int(0), |sum, c| sum + c.abs());
+                let reach = reach + waves::reach(waves.at(i));
+                if floors.is_some_and(|(places, speeds)| reach <= if i < self.n { places } else { speeds }) {
+                    continue;
+                }
+                let rounding = reach * F::epsilon();
+                *greatest = waves.greatest(c, waves.at(i), *greatest, rounding);
+                *least = -waves.greatest(&negative(c), &opposite(waves.at(i)), -*least, rounding);
+                continue;
+            }
             let Some((&first, [slope, rest @ ..])) = c.split_first() else { continue };
             // c₁ above Σ k|cₖ|: the signal rises or falls all the time, and its ends count.
             let mut k = F::int(1);
@@ -225,10 +244,19 @@ impl<F: Float> Observer<F> {
     }
 
     /// The greatest absolute accelerations over a stretch, whose Taylor terms are known.
-    fn absolute_accelerations(&mut self, system: &Assembly<F>, branch: &Branch<F>, time: F) {
+    fn absolute_accelerations(
+        &mut self,
+        system: &Assembly<F>,
+        stretch: &Stretch<'_, F>,
+        waves: Option<&Waves<F>>,
+    ) {
+        let &Stretch { branch, time, .. } = stretch;
         let Some(last) = self.terms.rchunks_exact(system.size.max(1)).next() else { return };
         // z′ has the terms (k + 1)/t · (term k + 1), and the last by the equation.
-        let tail = branch.derivative(last);
+        let tail = match &stretch.leap {
+            Some(leap) => leap.derivative(last),
+            None => branch.derivative(last),
+        };
         let terms = || self.terms.chunks_exact(system.size.max(1));
         let c = &mut self.polynomial;
         for (i, (greatest, base)) in self.accelerations.iter_mut().zip(&system.base).enumerate() {
@@ -241,13 +269,20 @@ impl<F: Float> Observer<F> {
                 c.push(entry(next) * k / time + dot(base, term));
             }
             c.push(entry(&tail) + dot(base, last));
-            if c.iter().fold(F::int(0), |sum, c| sum + c.abs()) <= *greatest {
+            let slope = waves.map(|waves| (waves, waves.slope(place, time)));
+            let all = slope.as_ref().map_or(F::int(0), |(_, slope)| waves::reach(slope));
+            if c.iter().fold(all, |sum, c| sum + c.abs()) <= *greatest {
                 continue;
             }
             let size = terms().fold(F::int(0), |sum, term| {
                 sum + branch.size_of_slope(place, term) + size_of_dot(base, term)
             });
             let error = size * F::epsilon() * integer(system.size);
+            if let Some((waves, slope)) = slope {
+                *greatest = waves.greatest(c, &slope, *greatest, error);
+                *greatest = waves.greatest(&negative(c), &opposite(&slope), *greatest, error);
+                continue;
+            }
             shorten(c, error);
             *greatest = greatest_above(c, *greatest, error);
             c.iter_mut().for_each(|c| *c = -*c);
@@ -256,13 +291,20 @@ impl<F: Float> Observer<F> {
     }
 
     /// The greatest speeds, and sizes of stretches, of the elements whose law has an end, over a stretch whose Taylor terms are known.
-    fn reaches(&mut self, system: &Assembly<F>) {
+    fn reaches(&mut self, system: &Assembly<F>, waves: Option<&Waves<F>>) {
         let Self { terms, polynomial: c, reach, .. } = self;
         for (part, reach) in system.parts.iter().zip(reach).filter(|(part, _)| part.limit.is_some()) {
             let row = part.bends().map_or(part.velocity.as_slice(), |(stretch, _)| stretch);
             c.clear();
             c.extend(terms.chunks_exact(system.size.max(1)).map(|term| dot(row, term)));
             let size = c.iter().fold(F::int(0), |sum, c| sum + c.abs());
+            if let Some(waves) = waves {
+                let own = waves.of(row);
+                let rounding = (size + waves::reach(&own)) * F::epsilon();
+                *reach = waves.greatest(c, &own, *reach, rounding);
+                *reach = waves.greatest(&negative(c), &opposite(&own), *reach, rounding);
+                continue;
+            }
             if size > *reach {
                 shorten(c, size * F::epsilon());
                 *reach = greatest_above(c, *reach, size * F::epsilon());
@@ -284,6 +326,46 @@ impl<F: Float> Observer<F> {
             }
         }
         count.max(1)
+    }
+
+    /// What the fast modes of a long step add to the works of the rest.
+    fn works_of_waves(
+        &mut self,
+        system: &Assembly<F>,
+        branch: &Branch<F>,
+        time: F,
+        count: usize,
+        waves: &Waves<F>,
+    ) {
+        let products = Products::new(&waves.rates, count);
+        let n = system.n;
+        let polynomial = |row: &[F], from: usize| {
+            let mut sum = vec![F::int(0); count];
+            for (i, &x) in row.iter().enumerate().filter(|(_, x)| **x != F::int(0)) {
+                add_times(
+                    &mut sum,
+                    x,
+                    self.entries.get((from + i) * count..(from + i + 1) * count).unwrap_or(&[]),
+                );
+            }
+            sum
+        };
+        // A row over the velocities.
+        let along = |row: &[F]| (polynomial(row, n), waves.from(row, n));
+        let with =
+            |(p, a): &(Vec<F>, Vec<_>), (q, b): &(Vec<F>, Vec<_>)| time * products.beside((p, a), (q, b));
+        for ((part, tension), done) in system.parts.iter().zip(&branch.tension).zip(&mut self.work) {
+            let force = (polynomial(tension, 0), waves.of(tension));
+            *done = *done + with(&force, &along(&part.direction));
+        }
+        for i in 0..n {
+            let velocity = along(&unit(n, i));
+            let drive = system.moved.iter().find(|driven| driven.coordinate == i);
+            let drive = drive.map(|driven| driving(system, branch, driven));
+            let load = drive.as_deref().unwrap_or_else(|| system.load.row(i));
+            self.load_work = self.load_work + with(&(polynomial(load, 0), waves.of(load)), &velocity);
+            self.damper_work = self.damper_work + with(&along(system.damping.row(i)), &velocity);
+        }
     }
 
     /// Works over a stretch, whose Taylor coefficients are known.
@@ -313,8 +395,8 @@ impl<F: Float> Observer<F> {
                 [&self.loads, &self.dampers].map(|rows| rows.get(i).map_or(&[][..], Vec::as_slice));
             let drive = system.moved.iter().find(|driven| driven.coordinate == i);
             let drive = drive.map(|driven| entries(&driving(system, branch, driven)));
-            let load = drive.as_deref().unwrap_or(load).iter().copied();
-            self.load_work = self.load_work + time * work(load, all, moments, count);
+            self.load_work = self.load_work
+                + time * work(drive.as_deref().unwrap_or(load).iter().copied(), all, moments, count);
             self.damper_work =
                 self.damper_work + time * work(damper.iter().copied(), velocities, moments, count);
         }
@@ -361,7 +443,7 @@ impl<F: Float> Passage<F> {
 impl<F: Float> Watch<F> for Passage<F> {
     fn stretch(&mut self, system: &Assembly<F>, stretch: &Stretch<'_, F>) {
         self.events.clear();
-        stretch.branch.taylor(stretch.from, stretch.time, &mut self.terms);
+        stretch.taylor(&mut self.terms);
         self.sides.pass(system, stretch, &self.terms, &mut self.events);
     }
 
@@ -401,15 +483,19 @@ impl<F: Float> Watch<F> for Observer<F> {
                 _ => {}
             }
         }
-        branch.taylor(from, time, &mut self.terms);
+        stretch.taylor(&mut self.terms);
+        let waves = stretch.leap.as_ref().and_then(|leap| leap.waves(from, to));
         self.sides.pass(system, stretch, &self.terms, &mut self.events);
         let count = self.part(system.size);
-        self.extremes(count, to);
+        self.extremes(count, to, waves.as_ref());
         if !system.base.is_empty() {
-            self.absolute_accelerations(system, branch, time);
+            self.absolute_accelerations(system, stretch, waves.as_ref());
         }
         self.works(system, branch, time, count);
-        self.reaches(system);
+        if let Some(waves) = &waves {
+            self.works_of_waves(system, branch, time, count, waves);
+        }
+        self.reaches(system, waves.as_ref());
     }
 
     fn event(&mut self, event: Event<F>) {
@@ -436,6 +522,10 @@ impl<F: Float> Watch<F> for Observer<F> {
             self.load_work = self.load_work + blow.impulse * by * velocity;
         }
     }
+}
+
+fn negative<F: Float>(c: &[F]) -> Vec<F> {
+    c.iter().map(|&c| -c).collect()
 }
 
 /// The coefficients without those below the rounding of the others.

@@ -85,7 +85,10 @@ impl<F: Float> Watch<F> for Seen<F> {
         }
         self.catch_up();
         let Some(tangent) = &mut self.tangent else { return };
-        let part = stretch.motion.is_none().then(|| branch.free_motion(time, system.free));
+        let part = stretch.motion.is_none().then(|| match &stretch.leap {
+            Some(leap) => leap.free_motion(system.free),
+            None => branch.free_motion(time, system.free),
+        });
         let Some(motion) = stretch.motion.map(|motion| &motion.free).or(part.as_ref()) else { return };
         self.buffer.resize(system.free, F::int(0));
         for column in tangent {

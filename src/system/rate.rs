@@ -2,6 +2,7 @@
 
 use super::System;
 use super::assembly::{Piece, Rule};
+use super::branch::Branch;
 use super::equation::{Equation, fastest};
 use super::follow::most_steps;
 use super::mode::Mode;
@@ -23,6 +24,22 @@ impl<F: Float> System<F> {
     /// Infinite or NaN where the numbers of the system overflow.
     #[must_use]
     pub fn steps_per_time(&self) -> F {
+        let rate = |modes: &Vec<Mode>| fastest(&self.assembly, &Equation::new(&self.assembly, modes).a);
+        let branches = self.extreme_branches();
+        branches.iter().map(rate).fold(F::int(0), |most, rate| if rate <= most { most } else { rate })
+    }
+
+    /// Whether a motion of this length may have long steps, which its fast modes do not shorten: [`steps_per_time`](Self::steps_per_time) then does
+    /// not tell how many there are.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn has_long_steps(&self, length: F) -> bool {
+        let branch = |modes: &Vec<Mode>| Branch::new(&self.assembly, modes, length, [].iter());
+        self.extreme_branches().iter().any(|modes| !branch(modes).splits.is_empty())
+    }
+
+    /// The modes in which entries of |A| are greatest.
+    fn extreme_branches(&self) -> [Vec<Mode>; 4] {
         let system = &self.assembly;
         // The entries of |A| are greatest where a slope is greatest or least.
         let place = |pieces: &[Piece<F>], rises: bool| {
@@ -32,7 +49,7 @@ impl<F: Float> System<F> {
             best.map_or(0, |(place, _)| place)
         };
         let branches = [(true, true), (false, true), (true, false), (false, false)];
-        let rate = |(slides, rises): (bool, bool)| {
+        let modes_of = |(slides, rises): (bool, bool)| {
             let mode = |rule: &Rule<F>| match rule {
                 Rule::Contact { pieces, .. } if slides => {
                     Mode::Slides { forward: true, piece: place(pieces, rises) }
@@ -43,9 +60,8 @@ impl<F: Float> System<F> {
                 Rule::Hard { .. } => Mode::Away,
                 Rule::Spring { pieces } => Mode::Bends { piece: place(pieces, rises) },
             };
-            let modes: Vec<Mode> = system.parts.iter().map(|part| mode(&part.rule)).collect();
-            fastest(system, &Equation::new(system, &modes).a)
+            system.parts.iter().map(|part| mode(&part.rule)).collect()
         };
-        branches.map(rate).into_iter().fold(F::int(0), |most, rate| if rate <= most { most } else { rate })
+        branches.map(modes_of)
     }
 }

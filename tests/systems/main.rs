@@ -20,6 +20,8 @@ mod impacts;
 mod joints;
 mod law_ends;
 mod long_run;
+#[cfg(feature = "mp")]
+mod long_steps;
 mod massless;
 mod one_body;
 #[cfg(feature = "mp")]

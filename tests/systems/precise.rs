@@ -7,7 +7,7 @@ use crate::generator::Random;
 use stickslip::Float;
 use stickslip::float::{Field, Mp};
 use stickslip::system::{
-    Element, Harmonic, Kind, Law, Model, Moved, Normal, Record, Signal, State, SteadyKind, System,
+    Element, Harmonic, Kind, Law, Model, Motion, Moved, Normal, Record, Signal, State, SteadyKind, System,
 };
 
 type Wide = Mp<2>;
@@ -408,4 +408,75 @@ fn the_growth_of_a_disturbance_is_that_of_two_motions_apart() {
     // The units of the disturbance are the sizes of each period, which differ by a few times.
     let by = found.disturbance_growth / growth;
     assert!(growth > 1e8 && (0.1..10.0).contains(&by), "{growth:e} {:e}", found.disturbance_growth);
+}
+
+/// How far a motion from rest is from that at 128 bits: its end, greatest velocities, forces and works, in parts of the greatest of each. None where 128 bits have other events, or nothing
+/// moves but by rounding.
+pub(crate) fn far(until: f64, found: &Motion<f64>, truth: &Motion<Wide>) -> Option<f64> {
+    let due = truth.events.iter().map(|e| (e.element, e.kind));
+    if !found.events.iter().map(|e| (e.element, e.kind)).eq(due) {
+        return None;
+    }
+    let sizes = |lists: [&[Wide]; 2]| lists.concat().iter().map(|x| x.to_f64().abs()).fold(0.0, f64::max);
+    let reach = sizes([&truth.max_displacement, &truth.min_displacement]);
+    if reach < 1e-15 {
+        return None;
+    }
+    // The velocity of a machine that has hardly moved is rounding.
+    let speed = sizes([&truth.max_velocity, &truth.min_velocity]).max(reach / until);
+    let works = [found.load_work, found.damper_work];
+    let works: Vec<f64> = found.elements.iter().map(|e| e.work).chain(works).collect();
+    let due = [truth.load_work, truth.damper_work];
+    let due: Vec<Wide> = truth.elements.iter().map(|e| e.work).chain(due).collect();
+    let (force, work) = (sizes([&truth.end.force, &[]]), sizes([&due, &[]]));
+    let pairs = [
+        (&found.end.displacement, &truth.end.displacement, reach),
+        (&found.end.velocity, &truth.end.velocity, speed),
+        (&found.max_velocity, &truth.max_velocity, speed),
+        (&found.min_velocity, &truth.min_velocity, speed),
+        (&found.end.force, &truth.end.force, force),
+        (&works, &due, work),
+    ];
+    let by = pairs.map(|(a, b, size)| {
+        let far = a.iter().zip(b).map(|(&a, &b)| (Wide::from_f64(a) - b).to_f64().abs());
+        far.fold(0.0, f64::max) / size.max(1e-300)
+    });
+    Some(by.into_iter().fold(0.0, f64::max))
+}
+
+/// The motion from rest at 128 bits.
+pub(crate) fn truth(given: &Model<f64>, until: f64) -> Option<Motion<Wide>> {
+    let wide = System::<Wide>::new(&model(given)).expect("valid");
+    wide.simulate(&State::rest(given.mass.len()), Wide::from_f64(until)).ok()
+}
+
+/// Stiff machines, with steps that their fast modes do not shorten: within 10⁻¹⁰ of the motion at 128 bits, or within four times what short
+/// steps are off by, where the motion multiplies rounding.
+#[test]
+fn long_steps_are_as_near_to_the_motion_as_short_ones() {
+    let mut random = Random(87);
+    let (mut compared, mut worst) = (0, [0.0_f64; 2]);
+    for number in 0..crate::count(24, 300) {
+        let given = crate::long_steps::stiff(&mut random);
+        let system = System::new(&given).expect("valid");
+        let (n, until) = (given.mass.len(), 1.5);
+        if system.steps_per_time() * until > 6_000.0 || !system.has_long_steps(until) {
+            continue;
+        }
+        let Some(truth) = truth(&given, until) else { continue };
+        let far = |system: &System<f64>| {
+            far(until, &system.simulate(&State::rest(n), until).expect("it moves"), &truth)
+        };
+        let (long, short) = (far(&system), far(&system.clone().by_short_steps()));
+        let Some(short) = short else { continue };
+        let long = long.unwrap_or_else(|| panic!("{number}: other events\n{given:?}"));
+        assert!(long < 1e-10_f64.max(4.0 * short), "{number}: {long:?} {short:?}\n{given:?}");
+        compared += 1;
+        worst = [worst[0].max(long), worst[1].max(short)];
+    }
+    println!(
+        "{compared} stiff machines at 128 bits: long steps are off by {:e}, short ones by {:e}",
+        worst[0], worst[1]
+    );
+    assert!(compared >= crate::count(6, 80), "{compared}");
 }

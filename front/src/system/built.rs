@@ -210,7 +210,8 @@ impl<F: Number> NamedSystem<F> {
         })
     }
 
-    /// Fails where a motion to this time has no length, or more steps than 10⁶ or the system's budget.
+    /// Fails where a motion to this time has no length, or more steps than 10⁶ or the system's budget, which only the motion itself tells where
+    /// fast modes do not shorten its steps.
     ///
     /// # Errors
     /// Names the greatest time.
@@ -220,7 +221,7 @@ impl<F: Number> NamedSystem<F> {
         }
         let steps = self.system.most_steps().min(MOST_STEPS);
         let most = F::from_f64(steps as f64) / self.system.steps_per_time();
-        if until <= most {
+        if until <= most || self.system.has_long_steps(until) {
             return Ok(());
         }
         let unit = if self.described.units.is_some() { " s" } else { "" };
