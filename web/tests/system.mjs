@@ -1,5 +1,5 @@
 // Two masses in the module against the command at $STICKSLIP_COMMAND: every number at $STICKSLIP_SYSTEMS random systems
-// (1,000), digit for digit.
+// (250), digit for digit.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -10,7 +10,7 @@ import { random } from "./machines.mjs";
 import { asker } from "./module.mjs";
 
 const command = process.env.STICKSLIP_COMMAND || "stickslip";
-const count = Number(process.env.STICKSLIP_SYSTEMS || 1000);
+const count = Number(process.env.STICKSLIP_SYSTEMS || 250);
 const ask = await asker();
 const folder = mkdtempSync(join(tmpdir(), "stickslip-system-"));
 test.after(() => rmSync(folder, { recursive: true }));
