@@ -12,7 +12,11 @@ pub(crate) struct Case {
 
 /// All cases.
 pub(crate) fn cases() -> Vec<Case> {
-    let text = include_str!("../data/systems.json");
+    cases_of(include_str!("../data/systems.json"))
+}
+
+/// The cases of a file.
+pub(crate) fn cases_of(text: &str) -> Vec<Case> {
     let all: Value = serde_json::from_str(text).expect("the file is JSON");
     all.as_array().expect("a list of cases").iter().map(case).collect()
 }

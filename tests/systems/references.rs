@@ -1,8 +1,8 @@
 //! Independent values of transient motions and of steady ones.
 
-use crate::cases::{Case, cases, list, number, start};
+use crate::cases::{Case, cases, cases_of, list, number, start};
 use crate::compared::{Origin::AnotherProgram, compared};
-use stickslip::system::{Motion, State, System};
+use stickslip::system::{Kind, Motion, State, System};
 
 /// The largest difference of two lists, relative to the largest value.
 fn difference(a: &[f64], b: &[f64]) -> f64 {
@@ -73,6 +73,32 @@ fn transient_motions() {
         count += 1;
     }
     assert_eq!(count, 6);
+}
+
+/// Random machines with a joint without mass beside a program that finds its velocity by a scalar equation: those that are kept, or those of
+/// the file `STICKSLIP_JOINTS`, as `.ci/slow joints` has it.
+#[test]
+fn machines_with_a_joint() {
+    let kept = || include_str!("../data/joints.json").to_owned();
+    // Tests begin in the folder of their package.
+    let text = std::env::var("STICKSLIP_JOINTS")
+        .map_or_else(|_| kept(), |file| std::fs::read_to_string(file).unwrap());
+    let all = cases_of(&text);
+    let mut count = [0; 2];
+    for case in &all {
+        let system = System::new(&case.model).expect("the case is valid");
+        let motion = system.simulate(&start(case), number(&case.run["until"])).expect(&case.name);
+        let times = events(case, &motion, 0.0);
+        compared("fn system::System::simulate", times, 0.0, AnotherProgram, 1e-9);
+        for (name, ours) in [("displacement", &motion.end.displacement), ("velocity", &motion.end.velocity)] {
+            for (ours, due) in ours.iter().zip(list(&case.answer[name])) {
+                compared("fn system::System::simulate", *ours, due, AnotherProgram, 1e-9 * (1.0 + due.abs()));
+            }
+        }
+        let has_elastic = case.model.elements.iter().any(|e| matches!(e.kind, Kind::Elastic { .. }));
+        count[usize::from(has_elastic)] += motion.events.len();
+    }
+    assert!(all.len() >= 24 && count.iter().all(|events| *events > 50), "{} {count:?}", all.len());
 }
 
 /// Steady motions from rest, found by Newton's method; the references were followed to the end.

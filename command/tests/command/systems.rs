@@ -5,6 +5,7 @@ mod digits;
 mod drives;
 mod joints;
 mod pictures;
+mod questions;
 
 use crate::command_line::{json, refused, stdout, stickslip};
 use crate::compared::Origin::{AnotherProgram, ByHand};
