@@ -24,6 +24,7 @@ mod sentence;
 mod signals;
 mod smooth;
 mod spring;
+mod stored;
 mod tabled;
 mod typed;
 mod unique;

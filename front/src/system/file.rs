@@ -1,13 +1,13 @@
 //! The file of a system: bodies by name with their springs, contacts and loads, or matrices.
 
 use super::described::{
-    Described, MOST_COORDINATES, MOST_ELEMENTS, MOST_FREQUENCIES, MOST_SAMPLES, damped, empty, law, pairs,
-    peak, restitution,
+    Described, MOST_ELEMENTS, MOST_FREQUENCIES, MOST_SAMPLES, damped, empty, law, pairs, peak, restitution,
 };
 use super::laws::{BESIDE_CURVE, Law as Curved};
 use super::named;
 use super::node::{Fields, Node, Number, nearest};
 use super::spring;
+use super::stored::{matrix as matrix_of, of_fields};
 use super::unique::Unique;
 use crate::inputs::units::{Kind as Of, Reader, System as Units};
 use crate::text::of_bytes;
@@ -129,34 +129,44 @@ pub(super) fn described<F: Number>(
             "units {typed}: must be left out: matrices have the units that their file names, or none"
         ));
     }
-    by_matrices(&fields, own)
+    by_matrices(&fields, folder, own)
 }
 
 /// A system of matrices: in the units that the file names, or in any consistent ones.
-fn by_matrices<F: Number>(fields: &Fields<'_>, units: Option<Units>) -> Result<Described<F>, String> {
+fn by_matrices<F: Number>(
+    fields: &Fields<'_>,
+    folder: &Path,
+    units: Option<Units>,
+) -> Result<Described<F>, String> {
     if fields.get("mass").is_none() {
         return Err(
             "masses is missing: bodies by name, such as [masses] block = \"1 t\", or the matrix mass"
                 .to_owned(),
         );
     }
-    let mass = fields.required("mass")?;
-    let n = mass.list()?.len();
-    if n == 0 || n > MOST_COORDINATES {
-        return Err(format!("mass: has {n} rows, must be ≥ 1 and ≤ {MOST_COORDINATES}"));
-    }
-    let mass = mass.matrix(n)?;
-    let zero = F::int(0);
+    let mass = matrix_of(&fields.required("mass")?, folder, None)?;
+    let (n, zero) = (mass.len(), F::int(0));
     let zeros = || vec![vec![zero; n]; n];
-    let matrix = |name| fields.get(name).map_or_else(|| Ok(zeros()), |node| node.matrix(n));
+    let matrix =
+        |node: Option<Node<'_>>| node.map_or_else(|| Ok(zeros()), |node| matrix_of(&node, folder, Some(n)));
     let by_modes = fields.get("damping").filter(|node| node.value().is_object());
     let damping = match &by_modes {
-        Some(node) => node.fields()?.get("matrix").map_or_else(|| Ok(zeros()), |node| node.matrix(n))?,
-        None => matrix("damping")?,
+        Some(node) => {
+            let own = node.fields()?;
+            if let (Some(node), true) = (own.get("matrix"), own.get("file").is_some()) {
+                return Err(node.wrong("must be left out beside file"));
+            }
+            if own.get("file").is_some() {
+                of_fields(&own, folder, Some(n), &["matrix", "rayleigh", "ratio"])?
+            } else {
+                matrix(own.get("matrix"))?
+            }
+        }
+        None => matrix(fields.get("damping"))?,
     };
-    let mut model = Model { damping, stiffness: matrix("stiffness")?, mass, ..empty() };
+    let mut model = Model { damping, stiffness: matrix(fields.get("stiffness"))?, mass, ..empty() };
     if let Some(node) = &by_modes {
-        model = damped(model, node, &["matrix"])?;
+        model = damped(model, node, &["matrix", "file", "array"])?;
     }
     if let Some(constant) = fields.get("constant") {
         model.constant = constant.vector(n)?;

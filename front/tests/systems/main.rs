@@ -11,6 +11,7 @@ mod prescribed;
 mod schema;
 mod springs;
 mod stepper;
+mod stored;
 mod wrong;
 
 #[path = "../../../tests/random/generator.rs"]

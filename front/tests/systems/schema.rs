@@ -94,6 +94,12 @@ fn the_schema_has_the_fields_of_the_reader() {
         let (_, names) = why.split_once("Expected one of ").unwrap_or_else(|| panic!("{path}: {why}"));
         names.split(", ").map(str::to_owned).collect()
     };
+    let in_files = || {
+        let mut value = by_matrices();
+        value["stiffness"] =
+            json!({ "file": concat!(env!("CARGO_MANIFEST_DIR"), "/tests/systems/stored/two.mtx") });
+        value
+    };
     let contact = |path: &str, other: &Value| {
         let mut value = by_names();
         *value.pointer_mut(path).unwrap() = other.clone();
@@ -116,6 +122,7 @@ fn the_schema_has_the_fields_of_the_reader() {
         ("level", "/levels/0", by_names()),
         ("damping", "/damping", by_names()),
         ("matrix_damping", "/damping", by_matrices()),
+        ("matrix_of_file", "/stiffness", in_files()),
         ("matrices", "", by_matrices()),
         ("harmonic", "/harmonics/0", by_matrices()),
         ("normal", "/contacts/2/normal_load", contact("/contacts/0/friction", &json!(1))),
