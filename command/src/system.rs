@@ -6,7 +6,7 @@ mod picture;
 mod sketch;
 mod table;
 #[cfg(all(feature = "mp", not(test)))]
-mod wide;
+pub(crate) mod wide;
 mod words;
 
 use crate::args::{SystemArgs, SystemQuestion};

@@ -1,5 +1,8 @@
 //! `stickslip record`: the motion of a body under a record.
 
+#[cfg(all(feature = "mp", not(test)))]
+mod in_full;
+
 use crate::args::{Header, RecordArgs, StreamFormat};
 use crate::bits::{Value, at_bits, digits};
 use crate::enclose;
@@ -24,6 +27,10 @@ use stickslip_front::inputs::units::{Kind, System};
 use stickslip_front::system::{Answer, OneBody, Repeated};
 
 pub(crate) fn run(args: &RecordArgs, out: &mut impl Write) -> Outcome {
+    if args.enclose && args.repeats {
+        let why = "the bounds are those of one pass of the record. More digits of the limit are those of --bits 128";
+        return Err(format!("--enclose: must be left out with --repeats: {why}").into());
+    }
     if args.enclose {
         return enclose::record(args, out);
     }
@@ -35,14 +42,12 @@ pub(crate) fn run(args: &RecordArgs, out: &mut impl Write) -> Outcome {
 
 /// The motion under a record that repeats itself.
 fn repeated(args: &RecordArgs, out: &mut impl Write) -> Outcome {
-    if let Some(bits) = args.answer.bits.filter(|bits| *bits > f64::MANTISSA_DIGITS) {
-        return Err(format!(
-            "--bits {bits}: must be ≤ {} with --repeats, whose limit is found at this precision",
-            f64::MANTISSA_DIGITS
-        )
-        .into());
-    }
     let files = Files::new(args)?;
+    let wide = args.answer.bits.filter(|bits| *bits > f64::MANTISSA_DIGITS);
+    if let (Some(bits), true) = (wide, files.are_asked()) {
+        let most = f64::MANTISSA_DIGITS;
+        return Err(format!("--bits {bits}: must be ≤ {most} with --repeats and --out or --picture").into());
+    }
     let shaken = Shaken::<f64>::read(args)?;
     let Shaken { given, body, record, summary, start, has_mass, .. } = &shaken;
     let system = given.system;
@@ -56,6 +61,12 @@ fn repeated(args: &RecordArgs, out: &mut impl Write) -> Outcome {
     }
     let one = OneBody::new(body, system, *start, Repeated::Record(record));
     let one = one.map_err(|e| format!("{}: {e}", args.file.display()))?;
+    if let Some(bits) = wide {
+        #[cfg(all(feature = "mp", not(test)))]
+        return in_full::repeated(args, bits, &one.system.described, out);
+        #[cfg(any(not(feature = "mp"), test))]
+        return crate::bits::without_mp(bits);
+    }
     let one = one.while_allowed(interrupt::keep_going);
     let found = one.steady()?;
     if files.are_asked() {

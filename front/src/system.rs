@@ -48,5 +48,5 @@ pub use tabled::{Digits, OfTable};
 pub use typed::parsed_as_typed;
 pub use why::Why;
 #[cfg(feature = "mp")]
-pub use wide::WideSystem;
+pub use wide::{WideSystem, steady_of_body};
 pub use written::File;

@@ -117,7 +117,7 @@ pub(crate) struct RecordArgs {
     pub(crate) v0: Option<String>,
     /// The record repeats itself: its last sample is at the time of the first one of the next cycle. The answer is the motion that the start
     /// leads to, and --out and --picture have its cycle
-    #[arg(long, conflicts_with_all = ["after", "both_polarities", "floor_spectrum", "enclose", "one_way"])]
+    #[arg(long, conflicts_with_all = ["after", "both_polarities", "floor_spectrum", "one_way"])]
     pub(crate) repeats: bool,
     /// The record and its mirror image, each with its answers, and those of the greater peak displacement first
     #[arg(long)]

@@ -127,18 +127,28 @@ fn steady(asked: &WideSystem, described: &Described, args: &SystemArgs, out: &mu
         return sampled(described, args, &times, &states, out);
     }
     if is_json(args)? {
-        let mut text = found.map(&shown);
-        // An estimate, in doubles.
-        text.decay = Number::of(found.decay.to_f64());
-        return output::json(&Answer::steady(described, &text), out);
+        return output::json(&Answer::steady(described, &steady_texts(&found)), out);
     }
-    let mut rounded: Steady<f64> = found.map(&|x: &Widest| x.to_f64());
+    steady_motion(&found, described, out)
+}
+
+/// The texts of a steady motion.
+pub(crate) fn steady_texts(found: &Steady<Widest>) -> Steady<Number> {
+    let mut text = found.clone().map(&shown);
+    // An estimate, in doubles.
+    text.decay = Number::of(found.decay.to_f64());
+    text
+}
+
+/// A steady motion in words.
+pub(crate) fn steady_motion(found: &Steady<Widest>, described: &Described, out: &mut impl Write) -> Outcome {
+    let mut rounded: Steady<f64> = found.clone().map(&|x: &Widest| x.to_f64());
     // How near rounding comes to the motion, in the rounding of doubles.
     rounded.disturbance_growth *= (Widest::epsilon() / Widest::from_f64(f64::EPSILON)).to_f64();
     words::steady(described, &rounded, None, out)?;
     let seconds = if described.units.is_some() { " s" } else { "" };
     line(out, "period", format!("{}{seconds}", shown(&found.period).digits()))?;
-    words::motion(described, &text_of(found.motion), out)
+    words::motion(described, &text_of(found.motion.clone()), out)
 }
 
 fn border(asked: &WideSystem, described: &Described, args: &SystemArgs, out: &mut impl Write) -> Outcome {

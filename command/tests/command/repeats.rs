@@ -184,6 +184,40 @@ fn a_track_that_jerks_carries_its_part() {
     assert!(said.contains("--mass is left out"), "{said}");
 }
 
+/// The digits of a track that jerks are those of the squares of velocities by hand, as far as they go.
+#[cfg(feature = "mp")]
+#[test]
+fn it_has_any_number_of_digits() {
+    let (_folder, [one, _]) = cycles(
+        "repeats_digits",
+        "acceleration[m/s^2]",
+        &[(0.0, 3.0), (0.0625, 3.0), (0.0625, -9.0), (0.078_125, -9.0)],
+    );
+    let line = format!("record {one} --units N,m --mass 1 --no-spring --friction 5 --repeats --format json");
+    let found = json(&format!("{line} --bits 160"));
+    // 9 − 5 for 1/64 s, then 3 + 5 back: v = 1/16, v²/2 (1/4 + 1/8) = 3/4096, without a rounding.
+    assert_eq!(found["drift"][0].as_str().unwrap().parse::<f64>().unwrap(), 3.0 / 4096.0);
+    let speed = found["mean_velocity"][0].as_str().unwrap();
+    // 3/4096 · 64/5 = 0.009375, of which the digits are many.
+    assert!(speed.trim_end_matches('0').len() <= "0.009375".len() || speed.len() > 40, "{speed}");
+    // A body on a spring under a force of thirds: the digits of 128 bits are among those of 256.
+    let (_folder, [one, _]) =
+        cycles("repeats_spring", "force[N]", &[(0.0, 0.0), (0.5, 9.0), (1.0, -9.0), (1.5, 3.0), (2.0, 0.0)]);
+    let line =
+        format!("record {one} --mass 2.1 --stiffness 30 --friction 3.3 --units N,m --repeats --format json");
+    let [few, some, many] = ["", " --bits 128", " --bits 256"].map(|bits| json(&format!("{line}{bits}")));
+    for place in ["/start/displacement/0", "/max_velocity/0", "/elements/0/work", "/events/0/time"] {
+        let [some, many] = [&some, &many].map(|found| found.pointer(place).unwrap().as_str().unwrap());
+        assert!(many.len() > some.len() && some.len() > 35, "{place}: {some} {many}");
+        assert_eq!(some[..33], many[..33], "{place}");
+        let few = few.pointer(place).unwrap().as_f64().unwrap();
+        agree(few, many.parse().unwrap(), 1e-11);
+    }
+    assert_eq!(some["events"].as_array().unwrap().len(), few["events"].as_array().unwrap().len());
+    let text = crate::command_line::stdout(&format!("{} --bits 128", line.replace(" --format json", "")));
+    assert!(text.contains("It repeats itself.") && text.contains("period"), "{text}");
+}
+
 #[test]
 fn what_it_does_not_have_is_refused() {
     let (_folder, [one, _]) =
@@ -202,7 +236,7 @@ fn what_it_does_not_have_is_refused() {
         let name = option.split(' ').next().unwrap();
         refused(&format!("{machine} {option}"), &[name]);
     }
-    refused(&format!("{machine} --bits 64"), &["--bits 64: must be"]);
+    refused(&format!("{machine} --bits 64 --picture x.svg"), &["--bits 64: must be"]);
     refused(
         &format!("record {one} --units N,mm,g --mass 2 --stiffness 9 --friction 1 --repeats"),
         &["--units"],

@@ -4,7 +4,8 @@
 //! the works of the answer.
 
 use super::built::NamedSystem;
-use super::described::samples;
+use super::described::{Described, samples};
+use super::node::Number;
 use super::signals::slopes_of;
 use super::why::Why;
 use crate::inputs::units::System as Units;
@@ -13,74 +14,79 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use stickslip::Excitation;
 use stickslip::motion::record::{Body, Record};
-use stickslip::system::{Beyond, Motion, Record as Samples, State, Steady};
+use stickslip::system::{Beyond, Error, Harmonic, Kind, Law, Motion, Record as Samples, State, Steady};
 
 /// A load that repeats itself.
 #[derive(Debug, Clone, Copy)]
-pub enum Repeated<'a> {
+pub enum Repeated<'a, F = f64> {
     /// The force `amplitude · sin(frequency · t + phase)` on the body.
     Sine {
         /// Its amplitude.
-        amplitude: f64,
+        amplitude: F,
         /// Its angular frequency.
-        frequency: f64,
+        frequency: F,
         /// Its phase at the start.
-        phase: f64,
+        phase: F,
     },
     /// A record, again and again: its last sample is at the time of the first one of the next cycle.
-    Record(&'a Record<f64>),
+    Record(&'a Record<F>),
 }
 
 /// One body as a system.
 #[derive(Debug, Clone)]
-pub struct OneBody {
+pub struct OneBody<F = f64> {
     /// The system, whose coordinate is the body and whose contact its surface.
-    pub system: NamedSystem,
+    pub system: NamedSystem<F>,
     /// The constant force on the body.
-    pub mean_force: f64,
+    pub mean_force: F,
     /// Half the difference of the frictions against forward and against backward motion.
-    pub offset: f64,
+    pub offset: F,
 }
 
-impl OneBody {
+impl<F: Number> OneBody<F> {
     /// A body in a system of units, which starts with this displacement and velocity.
     ///
     /// # Errors
     /// For a record that is no such load, and a support with a damper whose motion jumps.
     pub fn new(
-        body: &Body<f64>,
+        body: &Body<F>,
         units: Units,
-        [start, velocity]: [f64; 2],
-        load: Repeated<'_>,
+        [start, velocity]: [F; 2],
+        load: Repeated<'_, F>,
     ) -> Result<Self, String> {
         let (forward, backward) = body.directional_friction();
-        let offset = 0.5 * (forward - backward);
-        let parts = [("stiffness", body.stiffness()), ("damping", body.damping())];
-        let parts = parts.into_iter().filter(|(_, value)| *value > 0.0);
-        let springs: Vec<_> =
-            parts.map(|(name, value)| json!({ "between": ["ground", "body"], name: value })).collect();
-        let mut forces = vec![json!({ "on": "body", "constant": body.mean_force() - offset })];
-        if let Repeated::Sine { amplitude, frequency, phase } = load {
-            forces.push(
-                json!({ "on": "body", "amplitude": amplitude, "frequency": frequency, "phase": phase }),
-            );
-        }
+        let half = F::ratio(1, 2);
+        let offset = half * (forward - backward);
+        // The names and the units are those of a file, the numbers those of the body.
         let value = json!({
             "units": units.to_string(),
-            "masses": { "body": { "mass": body.mass(), "start": start, "velocity": velocity } },
-            "springs": springs,
-            "contacts": [{
-                "name": "surface",
-                "between": ["ground", "body"],
-                "friction": 0.5 * forward + 0.5 * backward,
-                "static_ratio": body.static_friction_ratio(),
-            }],
-            "forces": forces,
+            "masses": { "body": 1 },
+            "contacts": [{ "name": "surface", "between": ["ground", "body"], "friction": 1 }],
         });
-        let system = NamedSystem::new(&value, [], Path::new(""), None)?;
+        let NamedSystem { mut described, .. } = NamedSystem::<F>::read(&value, [], Path::new(""), None)?;
+        let one = |x: F| vec![vec![x]];
+        let model = &mut described.model;
+        (model.mass, model.damping, model.stiffness) =
+            (one(body.mass()), one(body.damping()), one(body.stiffness()));
+        model.constant = vec![body.mean_force() - offset];
+        for element in &mut model.elements {
+            let law = Law::constant(half * forward + half * backward);
+            element.kind = Kind::Contact { law, peak: body.static_friction_ratio(), normal: None };
+        }
+        if let Repeated::Sine { amplitude, frequency, phase } = load {
+            let (sin, cos) = phase.sin_cos();
+            let harmonic = Harmonic { frequency, sin: vec![amplitude * cos], cos: vec![amplitude * sin] };
+            model.harmonics.push(harmonic);
+        }
+        described.inertia = vec![F::int(0) - body.mass()];
+        described.start.displacement = vec![start];
+        described.start.velocity = vec![velocity];
         let system = match load {
-            Repeated::Sine { .. } => system,
-            Repeated::Record(record) => under(system, body, record)?,
+            Repeated::Sine { .. } => NamedSystem::of(described)?,
+            Repeated::Record(record) => {
+                under(&mut described, body, record)?;
+                NamedSystem::of(described)?
+            }
         };
         Ok(Self { system, mean_force: body.mean_force(), offset })
     }
@@ -95,15 +101,17 @@ impl OneBody {
     ///
     /// # Errors
     /// Those of the search.
-    pub fn steady(&self) -> Result<Steady<f64>, Why> {
-        let (mut found, _) = self.system.steady(&self.system.described.start)?;
-        for (element, drift) in found.motion.elements.iter_mut().zip(&found.drift) {
-            element.work += self.offset * drift;
-            found.motion.load_work += self.offset * drift;
+    pub fn steady(&self) -> Result<Steady<F>, Error> {
+        let mut found = self.system.system.steady(&self.system.described.start)?;
+        for (element, &drift) in found.motion.elements.iter_mut().zip(&found.drift) {
+            element.work = element.work + self.offset * drift;
+            found.motion.load_work = found.motion.load_work + self.offset * drift;
         }
         Ok(found)
     }
+}
 
+impl OneBody {
     /// The motion from the start until a time. Its works are those of [`OneBody::system`].
     ///
     /// # Errors
@@ -125,16 +133,15 @@ impl OneBody {
     }
 }
 
-/// The system of a body under a record that repeats itself.
-fn under(system: NamedSystem, body: &Body<f64>, record: &Record<f64>) -> Result<NamedSystem, String> {
-    let NamedSystem { mut described, .. } = system;
+/// A body under a record that repeats itself.
+fn under<F: Number>(described: &mut Described<F>, body: &Body<F>, record: &Record<F>) -> Result<(), String> {
     let repeated = samples(record, Beyond::Repeat);
-    let mut push = |record: Samples<f64>, force: f64| {
+    let mut push = |record: Samples<F>, force: F| {
         described.model.records.push(Samples { force: vec![force], ..record });
     };
     match record.excitation() {
         Excitation::SurfaceAcceleration => described.shake(repeated),
-        Excitation::Force => push(repeated, 1.0),
+        Excitation::Force => push(repeated, F::int(1)),
         Excitation::FootMotion => push(repeated, body.stiffness()),
         Excitation::DampedFootMotion => {
             push(slopes_of(&repeated)?, body.damping());
@@ -147,5 +154,5 @@ fn under(system: NamedSystem, body: &Body<f64>, record: &Record<f64>) -> Result<
             ));
         }
     }
-    NamedSystem::of(described)
+    Ok(())
 }

@@ -2,13 +2,30 @@
 
 use super::built::NamedSystem;
 use super::grid::{Cell, Grid};
+use super::one_body::{OneBody, Repeated};
 use crate::inputs::units::System as Units;
 use serde_json::Value;
 use std::ops::ControlFlow;
 use std::path::Path;
 use stickslip::float::Widest;
-use stickslip::motion::record::Record;
+use stickslip::motion::record::{Body, Record};
 use stickslip::system::{Border, Cycle, Error, Motion, State, Steady};
+
+/// The motion to which a body under a record that repeats itself comes from a start, as [`OneBody::steady`], in numbers of the precision that is
+/// set; it is followed as long as `keep_going` returns [`ControlFlow::Continue`].
+///
+/// # Errors
+/// As [`OneBody::new`], and the inner ones as [`OneBody::steady`].
+pub fn steady_of_body(
+    body: &Body<Widest>,
+    units: Units,
+    start: [Widest; 2],
+    record: &Record<Widest>,
+    keep_going: fn() -> ControlFlow<()>,
+) -> Result<Result<Steady<Widest>, Error>, String> {
+    let one = OneBody::new(body, units, start, Repeated::Record(record))?;
+    Ok(one.while_allowed(keep_going).steady())
+}
 
 /// A described system with its motions, in numbers of the precision that is set.
 #[derive(Debug, Clone)]
