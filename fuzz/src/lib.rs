@@ -2,6 +2,8 @@
 
 #[path = "../../tests/invariants/batches.rs"]
 mod batches;
+#[path = "../../tests/invariants/blows.rs"]
+mod blows;
 #[path = "../../tests/invariants/mod.rs"]
 mod invariants;
 #[path = "../../tests/invariants/motion.rs"]

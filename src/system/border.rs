@@ -146,7 +146,7 @@ impl<F: Float> Friction<F> {
         }
         let half = F::pi() / frequency;
         let modes = [Mode::Slides { forward: false, piece: 0 }];
-        let longest = Branch::new(&system, &modes, half, [].iter()).step;
+        let longest = Branch::new(&system, &modes, [half; 2], [].iter()).step;
         let most = integer::<F>(MOST_STEPS);
         if !half.is_finite() || half > longest * most {
             return Err(unsupported(
@@ -158,7 +158,7 @@ impl<F: Float> Friction<F> {
         while integer::<F>(steps) * longest < half {
             steps += 1;
         }
-        let branch = Branch::new(&system, &modes, half / integer(steps), [].iter());
+        let branch = Branch::new(&system, &modes, [half / integer(steps); 2], [].iter());
         let mut power = steps;
         let (mut whole, mut square) = (Matrix::identity(system.size), branch.whole.dense());
         while power > 0 {
