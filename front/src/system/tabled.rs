@@ -1,7 +1,7 @@
 //! Motions under laws that are curves: by tables that are refined, with the digits that agree.
 
 use super::built::NamedSystem;
-use super::digits::{Numbers, OfPassage, OfStates, OfSteady, extrapolated, told};
+use super::digits::{Nothing, Numbers, OfPassage, OfStates, OfSteady, extrapolated, told};
 use super::laws::{Law, Refined, set_points};
 use super::proved::{Proved, Tabled, bound};
 use super::why::Why;
@@ -181,7 +181,8 @@ impl NamedSystem {
                 continue;
             }
             let events_agree = coarse.is_like(&fine);
-            let (answer, error) = extrapolated(&coarsest, &coarse, &fine);
+            let nothing = Nothing::new(&self.described.model, fine.span());
+            let (answer, error) = extrapolated(&coarsest, &coarse, &fine, nothing);
             let points: Vec<_> = tables.iter().map(|of| of.table(fineness)).collect();
             let of_tables = laws.iter().zip(&tables).zip(&points).map(|((law, of), table)| {
                 let (within, proved) = of.error(table);
