@@ -8,8 +8,8 @@
 //!
 //! A number is printed to the last digit whose unit is at least eight times its error, so that the digits are right but for one unit of the last.
 
-use super::proved::Proved;
-use stickslip::system::{Model, Motion, State, Steady};
+use super::proved::{Proved, ProvedSteady};
+use stickslip::system::{Model, Motion, State, Steady, SteadyKind};
 
 /// The kinds of numbers that are compared with each other.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -44,6 +44,10 @@ pub(super) trait Numbers: Clone {
     fn reach(&self, element: usize) -> Option<f64>;
     /// The time since its start, where it is that of a motion from a given one.
     fn duration(&self) -> Option<f64> {
+        None
+    }
+    /// The steady motion that loads give its period, without a drift.
+    fn steady(&self) -> Option<&Steady<f64>> {
         None
     }
     /// The time over which it is followed.
@@ -154,6 +158,12 @@ impl Numbers for OfSteady {
 
     fn reach(&self, element: usize) -> Option<f64> {
         self.found.motion.reach(element)
+    }
+
+    fn steady(&self) -> Option<&Steady<f64>> {
+        let Steady { kind, drift, .. } = &self.found;
+        let is_held = *kind == SteadyKind::Periodic && drift.iter().all(|by| *by == 0.0);
+        (self.is_loaded && is_held).then_some(&self.found)
     }
 
     fn span(&self) -> f64 {
@@ -360,6 +370,22 @@ pub(super) fn told<T: Numbers>(bound: Proved, fine: &T, answer: &T) -> Option<Pr
     let displacement = moved(&bound.displacement, Unit::Displacement)?;
     let velocity = moved(&bound.velocity, Unit::Velocity)?;
     Some(Proved { displacement, velocity })
+}
+
+/// The same of a steady motion.
+pub(super) fn told_of_steady(
+    bound: ProvedSteady,
+    fine: &Motion<f64>,
+    answer: &Motion<f64>,
+) -> Option<ProvedSteady> {
+    let half = |of: &Motion<f64>| -> Vec<f64> {
+        of.max_displacement.iter().zip(&of.min_displacement).map(|(a, b)| (a - b) / 2.0).collect()
+    };
+    let own = half(answer);
+    let pairs = half(fine).into_iter().zip(&own).zip(&bound.half_range);
+    let half_range: Vec<f64> = pairs.map(|((fine, own), x)| x + (fine - own).abs()).collect();
+    let size = own.iter().copied().fold(0.0, f64::max);
+    half_range.iter().all(|x| *x <= USEFUL * size).then_some(ProvedSteady { half_range, ..bound })
 }
 
 /// A number to the last digit whose unit is at least eight times its estimated error: of 500 random machines some had four times the estimate.
