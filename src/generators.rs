@@ -11,7 +11,7 @@
 //! | ζ | 0; 1; tiny values; ordinary values; any magnitude |
 //! | the start | at rest at the friction force; at the edge of the places of rest; on the closed-form cycle; just before the velocity touches zero; a tiny speed; huge values |
 //! | a machine | ordinary values, any magnitude, any bits, signs included |
-//! | a system | ordinary and round values, dependent directions, elements of all kinds |
+//! | a system | ordinary and round values, dependent directions, elements of all kinds; laws that are curves |
 //!
 //! Arbitrary values are included, so that an input need not be valid. If there are fewer bytes than a value
 //! needs, they are padded with zeros.
@@ -29,6 +29,8 @@
 //! # Ok::<(), arbitrary::Error>(())
 //! ```
 
+#[cfg(feature = "system")]
+mod curves;
 mod numbers;
 mod point;
 mod points;
@@ -38,6 +40,8 @@ mod starts;
 mod systems;
 
 use arbitrary::{Arbitrary, Result, Unstructured};
+#[cfg(feature = "system")]
+pub use curves::{Curve, Curved};
 #[cfg(test)]
 pub(crate) use numbers::neighbours;
 pub(crate) use numbers::{beside, magnitude, ordinary};

@@ -122,9 +122,10 @@ impl<F: Float> System<F> {
     ///
     /// ```
     /// use core::ops::ControlFlow;
-    /// use stickslip::system::{Error, Model, State, System};
+    /// use stickslip::system::{Error, Harmonic, Model, State, System};
     /// let one = || vec![vec![1.0]];
-    /// let model = Model { mass: one(), damping: vec![vec![0.0]], stiffness: one(), ..Model::default() };
+    /// let harmonics = vec![Harmonic { frequency: 1.0, sin: vec![1.0], cos: vec![] }];
+    /// let model = Model { mass: one(), damping: vec![vec![0.0]], stiffness: one(), harmonics, ..Model::default() };
     /// let system = System::new(&model)?.while_allowed(|| ControlFlow::Break(()));
     /// assert_eq!(system.simulate(&State::rest(1), 1e4), Err(Error::Interrupted));
     /// # Ok::<(), Error>(())

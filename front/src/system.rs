@@ -41,6 +41,7 @@ pub use file::{LONGEST, MOST_VALUES, decoded, parsed, units_of};
 pub use grid::{Asked, Axis, Cell, Grid, MOST_ROWS};
 pub use node::Number;
 pub use one_body::{OneBody, Repeated};
+pub use proved::{Proved, ProvedSteady};
 pub use sentence::{
     border_verdict, digits_sentence, frequency_of, plural, sliding_verdict, steady_verdict, with_unit,
 };

@@ -2,6 +2,10 @@
 
 #[path = "../../tests/invariants/batches.rs"]
 mod batches;
+#[path = "../../tests/invariants/blows.rs"]
+mod blows;
+#[path = "../../tests/invariants/curves.rs"]
+mod curved;
 #[path = "../../tests/invariants/mod.rs"]
 mod invariants;
 #[path = "../../tests/invariants/motion.rs"]
@@ -18,7 +22,7 @@ mod structures;
 pub use numbers::multiple;
 pub use reader::reader;
 
-use stickslip::generators::{DampingRatio, Machine, Point, Question, Shaken, Start, Structure};
+use stickslip::generators::{Curved, DampingRatio, Machine, Point, Question, Shaken, Start, Structure};
 
 /// Points, their number and the start of their slice: batches of every level are compared with each other and
 /// with single points.
@@ -37,6 +41,11 @@ pub fn borders(point: Point) {
 pub fn closed_forms(input: (Point, f64, DampingRatio)) {
     let (Point { omega, alpha }, phase, DampingRatio(zeta)) = input;
     invariants::damped_closed_forms(omega, alpha, zeta, phase);
+}
+
+/// A structure whose laws are curves: its answer, with its digits.
+pub fn curves(curved: Curved) {
+    curved::motion(&curved, 20);
 }
 
 /// The arguments of the inverse problems.

@@ -18,7 +18,7 @@
 //! beside the state, from the Taylor polynomial of the guard: its other coefficients are known relative to velocities and accelerations. At 0 the
 //! polynomial is divided by the time.
 
-use super::assembly::{Assembly, Rule};
+use super::assembly::{Assembly, Part, Rule};
 use super::branch::{Branch, Guard, Trigger};
 use super::dependent::least;
 use super::first_passage::{first_passage, shorten, value_and_slope};
@@ -228,6 +228,21 @@ pub(crate) struct Strike<F> {
     pub(crate) reset: Reset<F>,
     /// The time after which ever smaller blows end.
     pub(crate) later: F,
+    /// The change of the state.
+    change: Vec<F>,
+}
+
+impl<F: Float> Strike<F> {
+    /// Whether it leaves the velocity along an element as it is.
+    pub(crate) fn keeps(&self, part: &Part<F>) -> bool {
+        keeps(part, &self.change)
+    }
+}
+
+/// Whether a change of the state is none along an element but for rounding. What rounding has left to the velocity of an element at rest is no
+/// velocity, and a branch in which it rests knows no error of it.
+fn keeps<F: Float>(part: &Part<F>, change: &[F]) -> bool {
+    dot(&part.velocity, change).abs() <= size_of_dot(&part.velocity, change) * F::epsilon() * F::int(64)
 }
 
 /// A stop that takes part in a blow.
@@ -247,8 +262,8 @@ struct Struck<F> {
     doubt: F,
 }
 
-/// The velocities after the blows at the stops in `hit`. Those that end in contact have the mode [`Mode::Resting`] afterwards. `is_slow` says
-/// whether the velocity along a stop is rounding. The stop that cannot be decided is the error.
+/// The velocities after the blows at the stops in `hit`. Those that end in contact have the mode [`Mode::Resting`] afterwards. The stop that cannot
+/// be decided is the error.
 pub(crate) fn strike<F: Float>(
     system: &Assembly<F>,
     branch: &Branch<F>,
@@ -256,9 +271,9 @@ pub(crate) fn strike<F: Float>(
     modes: &mut [Mode],
     hit: &[usize],
     known: &mut Blows<F>,
-    is_slow: impl Fn(usize, &[F]) -> bool,
 ) -> Result<Strike<F>, usize> {
     let (zero, one) = (F::int(0), F::int(1));
+    let before = z.to_vec();
     let slope = branch.derivative(z);
     let bend = branch.derivative(&slope);
     let mut later = zero;
@@ -270,7 +285,7 @@ pub(crate) fn strike<F: Float>(
         let Rule::Hard { restitution, .. } = &part.rule else { return Err(element) };
         let [velocity, pressing, change] = [&*z, &slope, &bend].map(|list| dot(&part.velocity, list));
         let is_hit = hit.contains(&element);
-        let ends = if !is_hit || is_slow(element, z) {
+        let ends = if !is_hit || branch.is_slow(system, element, z) {
             Some(zero)
         } else {
             known.left(element, *restitution, velocity, [pressing, change], branch.step)
@@ -281,7 +296,7 @@ pub(crate) fn strike<F: Float>(
             is_hit,
             closes: ends.is_some(),
             factor: if ends.is_some() { one } else { one + *restitution },
-            after: (is_hit && !is_slow(element, z)).then(|| zero - *restitution * velocity),
+            after: (is_hit && !branch.is_slow(system, element, z)).then(|| zero - *restitution * velocity),
             velocity,
             body: system.along(element, z),
             doubt: size_of_dot(&part.velocity, z) * F::epsilon() * F::int(256),
@@ -311,10 +326,13 @@ pub(crate) fn strike<F: Float>(
         blow.mean = (blow.mean + system.along(blow.element, z)) / F::int(2);
     }
     place_at_gap(system, z, &elements);
+    let change: Vec<F> = z.iter().zip(&before).map(|(&after, &before)| after - before).collect();
     for (one, &impulse) in all.iter().zip(&impulses) {
         let element = one.element;
-        let speed = system.parts.get(element).map_or(zero, |part| -dot(&part.velocity, z));
-        let leaves = !one.closes || (speed > zero && !is_slow(element, z));
+        let Some(part) = system.parts.get(element) else { return Err(element) };
+        let speed = -dot(&part.velocity, z);
+        let stays = branch.is_slow(system, element, z) || (!one.is_hit && keeps(part, &change));
+        let leaves = !one.closes || (speed > zero && !stays);
         if let Some(mode) = modes.get_mut(element) {
             *mode = if leaves { Mode::Away } else { Mode::Resting };
         }
@@ -330,7 +348,7 @@ pub(crate) fn strike<F: Float>(
             blows.push(Blow { element, impulse, mean, told: after.map(|after| (one.velocity, after)) });
         }
     }
-    Ok(Strike { blows, reset: reset(system, &active, &rubs), later })
+    Ok(Strike { blows, reset: reset(system, &active, &rubs), later, change })
 }
 
 /// Takes the rounding of their distances out of the displacements of bodies at stops.

@@ -154,7 +154,7 @@ impl<F: Float> Friction<F> {
         }
         let half = F::pi() / frequency;
         let modes = [Mode::Slides { forward: false, piece: 0 }];
-        let longest = Branch::new(&system, &modes, half, [].iter()).step;
+        let longest = Branch::new(&system, &modes, [half; 2], [].iter()).step;
         let most = integer::<F>(MOST_STEPS);
         if !half.is_finite() || half > longest * most {
             return Err(unsupported(
@@ -166,7 +166,7 @@ impl<F: Float> Friction<F> {
         while integer::<F>(steps) * longest < half {
             steps += 1;
         }
-        let branch = Branch::new(&system, &modes, half / integer(steps), [].iter());
+        let branch = Branch::new(&system, &modes, [half / integer(steps); 2], [].iter());
         if let Some(free) = branch.tie.as_ref().and_then(|tie| tie.free) {
             return Err(given.without_mass(free, "must be held by a spring or a damper"));
         }

@@ -17,7 +17,7 @@ use super::assembly::{Assembly, Part, Piece, Rule};
 use super::dependent::facets;
 use super::equation::{Equation, fastest, pressing};
 use super::first_passage::{bernstein_of_rows, integer};
-use super::matrix::{Matrix, Sparse, add_times, dot, is_small};
+use super::matrix::{Matrix, Sparse, add_times, dot, is_small, size_of_dot};
 use super::mode::{Mode, sign};
 use super::propagator::{Bound, Powers, Propagator, exponential};
 use super::split::Split;
@@ -223,11 +223,12 @@ pub(super) fn series<F: Float>(a: &Sparse<F>, time: F, last: usize, size: usize,
 }
 
 impl<F: Float> Branch<F> {
-    /// The branch with these modes. `longest` bounds its step, as it has that of the `others`, which are known already.
+    /// The branch with these modes. `longest` bounds its step, as it has that of the `others`, which are known already; where nothing in the
+    /// branch is as fast, it has the step `free`.
     pub(crate) fn new<'b>(
         system: &Assembly<F>,
         modes: &[Mode],
-        longest: F,
+        [longest, free]: [F; 2],
         mut others: impl Iterator<Item = &'b Self>,
     ) -> Self
     where
@@ -241,7 +242,7 @@ impl<F: Float> Branch<F> {
         let (step, bound) = other.map_or_else(
             || {
                 let most = F::int(1) / fastest(system, &a);
-                let step = if most < longest { most } else { longest };
+                let step = if most < longest { most } else { free };
                 let sizes = transposed.map(|x| x.abs());
                 (step, Bound::new(&sizes, system.free, step, degree))
             },
@@ -348,6 +349,14 @@ impl<F: Float> Branch<F> {
         result
     }
 
+    /// Whether rounding cannot tell the velocity along an element from zero, by what it could be within a step.
+    pub(crate) fn is_slow(&self, system: &Assembly<F>, element: usize, z: &[F]) -> bool {
+        let Some(part) = system.parts.get(element) else { return false };
+        let bound = size_of_dot(self.speed_error(element, &part.velocity), z);
+        dot(&part.velocity, z).abs() <= bound * F::int(4)
+    }
+
+    /// How many Taylor terms are above rounding over a time t ≤ h.
     fn degree_over(&self, time: F) -> usize {
         degree_over(time, self.step, self.degree)
     }

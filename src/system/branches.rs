@@ -1,6 +1,6 @@
 //! The branches that a motion has met, in a bounded memory: the one that was left the longest time ago makes room.
 
-use super::assembly::Assembly;
+use super::assembly::{Assembly, Rule};
 use super::branch::Branch;
 use super::mode::Mode;
 use super::under::loaded;
@@ -9,6 +9,9 @@ use alloc::vec::Vec;
 
 /// The memory of all branches in bytes: two thousand of two bodies, or sixty of thirty bodies with a contact each.
 const MOST_BYTES: usize = 96 << 20;
+/// The steps of a motion with blows in which nothing is faster than its end: its flights may be far shorter than it, and the rounding of a
+/// guard is that of a whole step.
+const PARTS: i32 = 256;
 /// The most branches: they are looked for one by one.
 const MOST_BRANCHES: usize = 1024;
 
@@ -46,7 +49,9 @@ impl<F: Float> Branches<F> {
         let known = self.known.iter().position(|known| known.branch.modes == modes);
         let place = known.unwrap_or_else(|| {
             let others = self.known.iter().map(|known| &known.branch);
-            let branch = Branch::new(&loaded(system, modes), modes, self.longest, others);
+            let has_blows = system.parts.iter().any(|part| matches!(part.rule, Rule::Hard { .. }));
+            let free = if has_blows { self.longest / F::int(PARTS) } else { self.longest };
+            let branch = Branch::new(&loaded(system, modes), modes, [self.longest, free], others);
             self.add(branch)
         });
         if let Some(known) = self.known.get_mut(place) {

@@ -29,6 +29,9 @@ pub(super) fn most_steps<F>(system: &Assembly<F>) -> u64 {
     (512_000_000 / size).max(20_000)
 }
 
+/// The most blows of one instant. Stops that are hit in turns take a part of the velocity with each, until it is rounding.
+const MOST_TURNS: usize = 4096;
+
 /// After so many steps a motion asks whether to go on: one of thousands of bits takes a second.
 fn steps_between_questions<F: Float>() -> u64 {
     if F::precision() > 64 { 1 } else { 512 }
@@ -51,8 +54,9 @@ pub(crate) struct Follower<'a, F> {
     sample: Option<F>,
     /// Whether a sample has come after the last step.
     at_sample: bool,
-    /// Events without a step between them.
+    /// Events without a step between them, and how many of them are blows.
     instant: usize,
+    turns: usize,
     steps: u64,
     most_steps: u64,
     sizes: Vec<F>,
@@ -109,6 +113,7 @@ impl<'a, F: Float> Follower<'a, F> {
             sample: None,
             at_sample: false,
             instant: 0,
+            turns: 0,
             steps: 0,
             most_steps: most_steps(system).saturating_add(4 * samples as u64),
             sizes: Vec::new(),
@@ -180,7 +185,7 @@ impl<'a, F: Float> Follower<'a, F> {
     pub(crate) fn resume(&mut self, saved: &Saved<F>) {
         self.z.clone_from(&saved.z);
         self.clock = Sum::at(saved.time);
-        self.instant = 0;
+        (self.instant, self.turns) = (0, 0);
         self.set_sample();
         self.branches.enter(self.system, &saved.modes);
         self.wait = 0;
@@ -199,7 +204,7 @@ impl<'a, F: Float> Follower<'a, F> {
         for (z, &x) in self.z.iter_mut().zip(free) {
             *z = x;
         }
-        self.instant = 0;
+        (self.instant, self.turns) = (0, 0);
         self.rewind();
         self.begin()
     }
@@ -459,7 +464,7 @@ impl<'a, F: Float> Follower<'a, F> {
         }
         // A flight between small blows takes its time.
         if lasted > branch.step * small(24) || (is_near && lasted > F::int(0)) {
-            self.instant = 0;
+            (self.instant, self.turns) = (0, 0);
         }
         self.blows.moved(system, &self.sizes, part, lasted);
         core::mem::swap(&mut self.z, &mut self.after);
@@ -545,7 +550,12 @@ impl<'a, F: Float> Follower<'a, F> {
             .flatten()
             .map(|(f, guard)| ((!f.is_forced).then(|| guard.row.clone()), branch.derivative(&self.z)));
         self.instant += 1;
-        if self.instant > 16 + 8 * system.parts.len() {
+        let is_blow = |f: &Fired| {
+            f.trigger == Trigger::Closes
+                && system.parts.get(f.element).is_some_and(|part| matches!(part.rule, Rule::Hard { .. }))
+        };
+        self.turns += usize::from(fired.iter().any(is_blow));
+        if self.instant - self.turns > 16 + 8 * system.parts.len() || self.turns > MOST_TURNS {
             return Err(self.undecided(fired.first().map_or(0, |f| f.element)));
         }
         let mut modes = before.clone();

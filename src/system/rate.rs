@@ -34,7 +34,7 @@ impl<F: Float> System<F> {
     #[doc(hidden)]
     #[must_use]
     pub fn has_long_steps(&self, length: F) -> bool {
-        let branch = |modes: &Vec<Mode>| Branch::new(&self.assembly, modes, length, [].iter());
+        let branch = |modes: &Vec<Mode>| Branch::new(&self.assembly, modes, [length; 2], [].iter());
         self.extreme_branches().iter().any(|modes| !branch(modes).splits.is_empty())
     }
 

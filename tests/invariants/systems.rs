@@ -3,6 +3,7 @@
 
 #![allow(dead_code, reason = "each fuzz target and test takes what it needs")]
 
+use super::blows::rebounds;
 use stickslip::Float;
 use stickslip::generators::Structure;
 use stickslip::system::{Element, Error, EventKind, Kind, Model, Motion, Signal, State, System};
@@ -167,6 +168,7 @@ fn later(model: &Model<f64>, by: f64) -> Model<f64> {
 /// What a check has seen.
 #[derive(Debug, Default, Clone, Copy)]
 pub(crate) struct Seen {
+    pub(crate) blows: usize,
     pub(crate) events: usize,
     pub(crate) samples: usize,
     pub(crate) balances: usize,
@@ -210,6 +212,7 @@ pub(crate) fn motion(structure: &Structure, samples: u32) -> Seen {
     assert!(by < 1e-7, "the state at the end by {by:e} with samples on the way");
     seen.parts = in_parts(&system, structure, &motion) / size;
     assert!(seen.parts < 1e-6, "the state at the end by {:e} in two parts", seen.parts);
+    seen.blows = rebounds(model, &motion, 1e-12 * size);
     seen.balances = balance(&system, structure, &motion, size);
     seen
 }

@@ -254,6 +254,79 @@ fn a_blow_sets_a_stuck_contact_in_motion() {
     assert!(energy(&motion) < 1e-13);
 }
 
+/// A body at rest whose upper body a blow turns slips once: rounding that was left to its velocity when it came to rest is no direction.
+#[test]
+fn a_contact_at_rest_slips_once_where_a_blow_turns_what_slides_on_it() {
+    for i in 0..40 {
+        let model = Model {
+            mass: vec![vec![1.1, 0.0], vec![0.0, 1.0]],
+            damping: vec![vec![0.0; 2]; 2],
+            stiffness: vec![vec![7.0, 0.0], vec![0.0, 0.0]],
+            constant: vec![2.0, 0.0],
+            elements: vec![
+                rub(vec![1.0, 0.0], 3.0, 1.0),
+                rub(vec![-1.0, 1.0], 2.0, 1.0),
+                stop(vec![0.0, -1.0], 0.15, 0.5),
+            ],
+            ..Model::default()
+        };
+        let start = State { velocity: vec![-0.05 - 0.002 * f64::from(i), -1.0], ..State::rest(2) };
+        let motion = System::new(&model).unwrap().simulate(&start, 0.25).unwrap();
+        let blow = of(&motion, EventKind::Blow)[0].time;
+        let own: Vec<_> = motion.events.iter().filter(|e| e.element == 0).map(|e| (e.kind, e.time)).collect();
+        assert!(own.len() == 2 && own[0].0 == EventKind::Stick && own[0].1 < blow, "{i}: {own:?}");
+        assert_eq!(own[1], (EventKind::Slip, blow), "{i}: {own:?}");
+        assert!(motion.end.velocity[0] > 0.0);
+    }
+}
+
+/// A body between a wall that gives no velocity back and a heavier one that presses it there: their blows take turns ever sooner, until both are at one
+/// instant, after which the motion goes on.
+#[test]
+fn blows_of_a_body_between_two_others_take_turns_to_an_end() {
+    let model = Model {
+        mass: vec![vec![0.69, 0.0, 0.0], vec![0.0, 0.6, 0.0], vec![0.0, 0.0, 1.74]],
+        damping: vec![vec![1.508, -0.561, 0.0], vec![-0.561, 1.775, -0.25], vec![0.0, -0.25, 1.05]],
+        stiffness: vec![vec![68.13, -37.96, 0.0], vec![-37.96, 111.14, -57.21], vec![0.0, -57.21, 57.21]],
+        constant: vec![-0.289, -7.954, 0.0],
+        elements: vec![
+            rub(vec![0.0, -1.0, 0.0], 3.944, 1.0),
+            rub(vec![0.0, 0.0, -1.0], 2.301, 1.0),
+            stop(vec![-1.0, 0.0, 1.0], 0.1967, 0.47),
+            stop(vec![1.0, 0.0, 0.0], 0.0419, 0.0),
+        ],
+        harmonics: vec![Harmonic {
+            frequency: 2.681,
+            sin: vec![13.77, -18.02, -7.595],
+            cos: vec![4.827, -3.664, 1.663],
+        }],
+        ..Model::default()
+    };
+    let (rubs, walls): (Vec<&Element<f64>>, Vec<&Element<f64>>) =
+        model.elements.iter().partition(|element| matches!(element.kind, Kind::Contact { .. }));
+    let rubs = rubs.iter().map(|element| match &element.kind {
+        Kind::Contact { law, peak, .. } => {
+            Rub { b: element.direction.clone(), friction: law.points[0].1, peak: *peak, under: None }
+        }
+        other => panic!("{other:?}"),
+    });
+    let walls = walls.iter().map(|element| match element.kind {
+        Kind::HardStop { gap, restitution } => Wall { b: element.direction.clone(), gap, e: restitution },
+        ref other => panic!("{other:?}"),
+    });
+    let machine = Machine::new(&model, rubs.collect(), walls.collect());
+    let start = at(vec![0.0; 3]);
+    let motion = System::new(&model).unwrap().simulate(&start, 3.0).unwrap();
+    assert!(energy(&motion) < 1e-12, "{}", energy(&motion));
+    let blows = of(&motion, EventKind::Blow);
+    let turns = blows.windows(2).filter(|pair| pair[1].time - pair[0].time < 1e-4).count();
+    assert!(turns >= 3, "{blows:?}");
+    let (end, _) = machine.followed(&[0.0; 6], 3.0, 0.002);
+    for (own, due) in motion.end.displacement.iter().chain(&motion.end.velocity).zip(&end) {
+        assert!((own - due).abs() < 1e-8, "{:?} {end:?}", motion.end);
+    }
+}
+
 /// The slider of an elastic contact stops with the body that a stop halts: once, and in any units of length and force.
 #[test]
 fn an_elastic_contact_locks_where_a_stop_halts_the_body() {
@@ -636,8 +709,62 @@ fn plain(events: &[Kept]) -> Vec<Kept> {
     events.iter().filter(|e| is_close(e) || !is_in(e)).copied().collect()
 }
 
+/// How far a motion is from that of the small steps, in parts of the motion.
+#[derive(Clone, Copy, Default)]
+struct Judged {
+    by: f64,
+    /// Whether both multiply rounding so much that 256 bits judge.
+    is_multiplied: bool,
+}
+
+/// How far the end of a motion at f64 is from that at 256 bits; infinite where the events differ, or without such numbers.
+#[cfg(feature = "mp")]
+fn from_exact(model: &Model<f64>, start: &State<f64>, until: f64, motion: &Motion<f64>) -> f64 {
+    use crate::precise::{model as wide, state};
+    use stickslip::Float;
+    use stickslip::float::Mp;
+    type Wide = Mp<4>;
+    let exact = System::new(&wide::<Wide>(model)).unwrap();
+    let exact = exact.simulate(&state(start), Wide::from_f64(until)).unwrap();
+    // Blows are cut off where rounding says, and so sooner at f64.
+    let told =
+        |list: &[Kept]| plain(list).iter().map(|event| (event.element, event.kind)).collect::<Vec<_>>();
+    let own: Vec<Kept> = motion.events.iter().map(Kept::of).collect();
+    let wide: Vec<Kept> = exact
+        .events
+        .iter()
+        .map(|event| Kept {
+            time: event.time.to_f64(),
+            element: event.element,
+            kind: event.kind,
+            speed: event.velocities.map_or(0.0, |pair| pair.0.to_f64()),
+        })
+        .collect();
+    if told(&own) != told(&wide) {
+        return f64::INFINITY;
+    }
+    let wide = exact.end.displacement.iter().chain(&exact.end.velocity);
+    let own = motion.end.displacement.iter().chain(&motion.end.velocity);
+    own.zip(wide).map(|(a, b)| (a - b.to_f64()).abs()).fold(0.0, f64::max)
+}
+
+#[cfg(not(feature = "mp"))]
+fn from_exact(_: &Model<f64>, _: &State<f64>, _: f64, _: &Motion<f64>) -> f64 {
+    f64::INFINITY
+}
+
 /// How far the end of a motion is from that of the small steps, in parts of the motion, where both have the same events; else where they differ.
-fn beside(machine: &Machine, start: &State<f64>, until: f64, motion: &Motion<f64>) -> Result<f64, String> {
+///
+/// Both are within 10⁻⁹, and their events within 10⁻⁷. Where a machine multiplies rounding so much that the small steps do not know their own end so
+/// well, by steps of a fifth, by where they end ever smaller blows and by starts 10⁻¹³ apart, the motion has the events of that at 256 bits, is within
+/// 10⁻⁹ of it, or ten times nearer to it than to the small steps, and within four times what the small steps know of their own.
+fn beside(
+    model: &Model<f64>,
+    machine: &Machine,
+    start: &State<f64>,
+    until: f64,
+    motion: &Motion<f64>,
+) -> Result<Judged, String> {
     let told = motion.events.iter().filter(|event| event.kind != EventKind::Touch);
     let events: Vec<Kept> = told.map(Kept::of).collect();
     let size =
@@ -645,13 +772,16 @@ fn beside(machine: &Machine, start: &State<f64>, until: f64, motion: &Motion<f64
             .into_iter()
             .flatten()
             .fold(0.1_f64, |most, x| most.max(x.abs()));
+    let apart = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) / size;
+    let own_end = [&*motion.end.displacement, &*motion.end.velocity].concat();
     let mut last = String::new();
+    let (mut ends, mut is_alike): (Vec<Vec<f64>>, bool) = (Vec::new(), false);
     // Finer steps where a short flight was passed over.
     for step in [0.01, 0.002, 0.0004] {
         let from = [&*start.displacement, &*start.velocity].concat();
         let (end, own) = machine.followed(&from, until, step);
-        let by = motion.end.displacement.iter().chain(&motion.end.velocity).zip(&end);
-        let by = by.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) / size;
+        let by = apart(&own_end, &end);
+        ends.push(end);
         let (a, b) = (plain(&events), plain(&own));
         // Two stops that close together may do so in either order.
         let ordered = |list: &[Kept]| -> Vec<Kept> {
@@ -666,22 +796,39 @@ fn beside(machine: &Machine, start: &State<f64>, until: f64, motion: &Motion<f64
             let within = if a.kind == EventKind::Close { 1e-3 } else { 1e-7 };
             (a.kind, a.element) == (b.kind, b.element) && (a.time - b.time).abs() < within
         };
-        if a.len() == b.len() && a.iter().zip(&b).all(is_same) && by < 1e-9 {
-            return Ok(by);
+        let names = |list: &[Kept]| list.iter().map(|e| (e.kind, e.element)).collect::<Vec<_>>();
+        is_alike = names(&a) == names(&b);
+        if is_alike && a.iter().zip(&b).all(is_same) && by < 1e-9 {
+            return Ok(Judged { by, is_multiplied: false });
         }
         let first = a.iter().zip(&b).position(|pair| !is_same(pair));
         let first = first.unwrap_or(a.len().min(b.len()));
         let near = |list: &[Kept]| format!("{:?}", &list[first.saturating_sub(2)..list.len().min(first + 3)]);
         last = format!("by {by:e}, {} and {} events\n{}\n{}", a.len(), b.len(), near(&a), near(&b));
     }
-    Err(last)
+    let by = apart(&own_end, &ends[2]);
+    let from = [&*start.displacement, &*start.velocity].concat();
+    ends.extend([1.6e-5, 2.5e-7].map(|slow| machine.with_slow(slow).followed(&from, until, 0.002).0));
+    // They know where an event is within some 10⁻¹³.
+    for i in 0..from.len() {
+        let mut from = from.clone();
+        from[i] += 1e-13 * size;
+        ends.push(machine.followed(&from, until, 0.002).0);
+    }
+    let known = ends.iter().map(|end| apart(end, &ends[2])).fold(0.0, f64::max);
+    let exact = if is_alike { from_exact(model, start, until, motion) / size } else { f64::INFINITY };
+    if (exact < 1e-9 || exact < 0.1 * by) && by < 4.0 * known {
+        println!("by {by:e} of small steps that know their end within {known:e}, {exact:e} of 256 bits");
+        return Ok(Judged { by, is_multiplied: true });
+    }
+    Err(format!("{known:e} of its own, {exact:e} of 256 bits, {last}"))
 }
 
 /// Random machines beside an independent program: the same events, and the same end.
 #[test]
 fn random_machines_are_those_of_small_steps() {
     let mut random = Random(760);
-    let (mut compared, mut blows, mut closes, mut opens) = (0, 0, 0, 0);
+    let (mut compared, mut blows, mut closes, mut opens, mut multiplied) = (0, 0, 0, 0, 0);
     let mut worst: f64 = 0.0;
     let mut failed = Vec::new();
     for number in 0..crate::count(40, 500) {
@@ -691,8 +838,9 @@ fn random_machines_are_those_of_small_steps() {
             Err(error) => panic!("{number}: {error}\n{model:?}"),
         };
         assert!(energy(&motion) < 1e-12, "{number}: {}", energy(&motion));
-        match beside(&machine, &start, until, &motion) {
-            Ok(by) => worst = worst.max(by),
+        match beside(&model, &machine, &start, until, &motion) {
+            Ok(Judged { is_multiplied: true, .. }) => multiplied += 1,
+            Ok(Judged { by, .. }) => worst = worst.max(by),
             Err(why) => failed.push(format!("{number}: {why}\n{model:?}")),
         }
         compared += 1;
@@ -704,9 +852,11 @@ fn random_machines_are_those_of_small_steps() {
         );
     }
     println!(
-        "{compared} machines, {blows} blows, {closes} contacts, {opens} of them opened, worst {worst:e}"
+        "{compared} machines, {blows} blows, {closes} contacts, {opens} of them opened, worst {worst:e}, {multiplied} beside 256 bits"
     );
     assert!(failed.is_empty(), "{} of {compared}\n{}", failed.len(), failed.join("\n"));
+    // Few machines multiply rounding so much.
+    assert!(multiplied * 100 <= compared, "{multiplied} of {compared}");
     assert!(blows > 10 * compared && closes > compared / 4 && opens > 0, "{blows} {closes} {opens}");
 }
 
@@ -715,7 +865,7 @@ fn random_machines_are_those_of_small_steps() {
 #[test]
 fn steady_motions_and_their_multipliers_are_those_of_small_steps() {
     let mut random = Random(761);
-    let (mut closed, mut traces, mut blows, mut touching, mut unsettled) = (0, 0, 0, 0, 0);
+    let (mut closed, mut traces, mut blows, mut touching, mut unsettled, mut endless) = (0, 0, 0, 0, 0, 0);
     for number in 0..crate::count(40, 300) {
         let (mut model, start, _, _) = machine(&mut random);
         model.harmonics.truncate(1);
@@ -736,7 +886,18 @@ fn steady_motions_and_their_multipliers_are_those_of_small_steps() {
             _ => None,
         });
         let machine = Machine::new(&model, rubs.collect(), walls.collect());
-        let found = System::new(&model).unwrap().steady(&start).unwrap_or_else(|e| panic!("{number}: {e}"));
+        let is_elastic =
+            |e: &Element<f64>| matches!(e.kind, Kind::HardStop { restitution, .. } if restitution == 1.0);
+        let found = match System::new(&model).unwrap().steady(&start) {
+            Ok(found) => found,
+            // A friction that turns takes a part of the velocity of elastic blows in each period, and nothing ends them: flights become ever
+            // shorter and more, in an independent program, too.
+            Err(Error::TooLong { .. }) if model.elements.iter().any(is_elastic) => {
+                endless += 1;
+                continue;
+            }
+            Err(error) => panic!("{number}: {error}\n{model:?}"),
+        };
         let largest = found.multipliers.iter().map(|(re, im)| re.hypot(*im)).fold(0.0, f64::max);
         let of_blows = of(&found.motion, EventKind::Blow).len();
         if found.kind != SteadyKind::Periodic || found.periods > 4 || of_blows == 0 {
@@ -784,7 +945,8 @@ fn steady_motions_and_their_multipliers_are_those_of_small_steps() {
         }
     }
     println!(
-        "{closed} closed, {traces} traces, {blows} blows, {touching} touch at the beginning, {unsettled} unsettled"
+        "{closed} closed, {traces} traces, {blows} blows, {touching} touch at the beginning, {unsettled} unsettled, {endless} with ever more elastic blows"
     );
+    assert!(endless * 100 <= crate::count(40, 300), "{endless}");
     assert!(closed > crate::count(10, 100) && traces * 10 >= closed * 9, "{closed} {traces}");
 }

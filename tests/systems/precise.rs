@@ -68,7 +68,7 @@ fn element<F: Float>(element: &Element<f64>) -> Element<F> {
     Element { name, direction, moves: signal(&element.moves), kind }
 }
 
-fn model<F: Float>(given: &Model<f64>) -> Model<F> {
+pub(crate) fn model<F: Float>(given: &Model<f64>) -> Model<F> {
     let harmonic = |h: &Harmonic<f64>| Harmonic {
         frequency: F::from_f64(h.frequency),
         sin: list(&h.sin),
@@ -95,7 +95,7 @@ fn model<F: Float>(given: &Model<f64>) -> Model<F> {
     }
 }
 
-fn state<F: Float>(given: &State<f64>) -> State<F> {
+pub(crate) fn state<F: Float>(given: &State<f64>) -> State<F> {
     let [displacement, velocity, force] =
         [&given.displacement, &given.velocity, &given.force].map(|l| list(l));
     State { displacement, velocity, force, absolute_acceleration: vec![] }

@@ -3,6 +3,9 @@
 #![allow(clippy::print_stdout, reason = "the counts of a campaign are shown with --nocapture")]
 
 #[cfg(feature = "generators")]
+#[path = "../invariants/blows.rs"]
+mod blows;
+#[cfg(feature = "generators")]
 #[path = "../invariants/systems.rs"]
 pub(crate) mod systems;
 

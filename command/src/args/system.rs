@@ -48,8 +48,10 @@ FILE describes bodies by name, in TOML or JSON:
   frequency = \"3 Hz\"
 
 A contact has friction, or coefficient and normal_load, or law = [[speed, force], …] or a CSV file. It may have static_ratio
-(or peak), stiffness, which makes it elastic, and moves, the velocity of its other side, such as a belt. [[stops]] have
-between, gap, stiffness and damping. [base] has acceleration, a file or { amplitude, frequency }. A load may have shape
+(or peak), stiffness, which makes it elastic, and moves, the velocity of its other side, such as a belt. Its law may be a curve,
+{ kinetic, static, speed, exponent, viscous } or { formula = \"5 + v + 10*exp(-2*v)\" }. A spring may have law = [[displacement,
+force], …] or { formula = \"40*x + 300*x^3\" } in place of stiffness. [[stops]] have between, gap, and stiffness and damping, or
+restitution from 0 to 1. [base] has acceleration, a file or { amplitude, frequency }. A load may have shape
 (square, triangle, sawtooth, pulse), sweep, or record with repeats = true. A body may have moves, its prescribed motion. [[levels]]
 are values whose passage is an event. A file may have matrices instead: mass, damping, stiffness, elements, harmonics.
 

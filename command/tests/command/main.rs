@@ -34,6 +34,7 @@ mod gallery;
 mod identify;
 #[cfg(unix)]
 mod interrupt;
+mod laws;
 #[cfg(unix)]
 mod limits;
 mod messages;

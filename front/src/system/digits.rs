@@ -3,12 +3,13 @@
 //! Let a, b, c be a number with tables of N/2, N and 2N pieces, whose errors are in the proportion 16 : 4 : 1 but for terms of higher order.
 //! Extrapolation takes `c + (c − b)/3`. It would be right where `b + (b − a)/3` is the same; so `|4 (c − b) − (b − a)|/3` estimates its error,
 //! and no less than a 32nd of that of c, |c − b|/3, is taken: a number may have little error by chance. For the same reason no error is taken
-//! to be less than a tenth of the largest one of displacements and velocities, each over the greatest of its kind.
+//! to be less than a tenth of the largest one of displacements and velocities, each over the greatest of its kind. What is nothing beside the motion
+//! that the loads alone would give a free body, or one on its springs, is rounding, and counts as none.
 //!
 //! A number is printed to the last digit whose unit is at least eight times its error, so that the digits are right but for one unit of the last.
 
-use super::proved::Proved;
-use stickslip::system::{Motion, State, Steady};
+use super::proved::{Proved, ProvedSteady};
+use stickslip::system::{Model, Motion, State, Steady, SteadyKind};
 
 /// The kinds of numbers that are compared with each other.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -45,6 +46,12 @@ pub(super) trait Numbers: Clone {
     fn duration(&self) -> Option<f64> {
         None
     }
+    /// The steady motion that loads give its period, without a drift.
+    fn steady(&self) -> Option<&Steady<f64>> {
+        None
+    }
+    /// The time over which it is followed.
+    fn span(&self) -> f64;
 }
 
 fn listed<'n>(unit: Unit, is_phase: bool, list: &'n mut [f64], into: &mut Vec<Number<'n>>) {
@@ -103,6 +110,10 @@ impl Numbers for Motion<f64> {
     fn duration(&self) -> Option<f64> {
         Some(self.duration)
     }
+
+    fn span(&self) -> f64 {
+        self.duration
+    }
 }
 
 /// A steady motion, and whether a load gives it its phase.
@@ -148,6 +159,16 @@ impl Numbers for OfSteady {
     fn reach(&self, element: usize) -> Option<f64> {
         self.found.motion.reach(element)
     }
+
+    fn steady(&self) -> Option<&Steady<f64>> {
+        let Steady { kind, drift, .. } = &self.found;
+        let is_held = *kind == SteadyKind::Periodic && drift.iter().all(|by| *by == 0.0);
+        (self.is_loaded && is_held).then_some(&self.found)
+    }
+
+    fn span(&self) -> f64 {
+        self.found.motion.duration
+    }
 }
 
 /// States at times, with a motion over them that tells how far they reach.
@@ -172,6 +193,10 @@ impl Numbers for OfStates {
 
     fn reach(&self, element: usize) -> Option<f64> {
         self.motion.reach(element)
+    }
+
+    fn span(&self) -> f64 {
+        self.motion.duration
     }
 }
 
@@ -199,6 +224,10 @@ impl Numbers for OfPassage {
     fn reach(&self, element: usize) -> Option<f64> {
         self.motion.as_ref()?.reach(element)
     }
+
+    fn span(&self) -> f64 {
+        self.motion.as_ref().map_or(f64::INFINITY, |motion| motion.duration)
+    }
 }
 
 /// What a number has at least of the largest relative error of displacements and velocities.
@@ -207,6 +236,39 @@ const SHARED: f64 = 0.1;
 const USEFUL: f64 = 0.1;
 /// What an extrapolated number has at least of the error of the finest table.
 const LEAST: f64 = 1.0 / 32.0;
+
+/// Displacements and velocities below which a body that loads act on is at rest but for rounding.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Nothing {
+    displacement: f64,
+    velocity: f64,
+}
+
+impl Nothing {
+    /// Of a model that is followed for a time: 2⁻⁴⁰ of `F τ²/m` and `F τ/m`, with the sum F of the amplitudes of its loads and τ that time, or
+    /// √(m/k) if that is shorter, for the heaviest mass and the stiffest entries.
+    pub(super) fn new(model: &Model<f64>, time: f64) -> Self {
+        let sum = |list: &[f64]| list.iter().map(|x| x.abs()).sum::<f64>();
+        let harmonics = model.harmonics.iter().map(|h| sum(&h.sin) + sum(&h.cos));
+        let greatest = |list: &[f64]| list.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        let records = model.records.iter().map(|record| sum(&record.force) * greatest(&record.values));
+        let force = sum(&model.constant) + harmonics.chain(records).sum::<f64>();
+        let [mass, stiffness] = [&model.mass, &model.stiffness]
+            .map(|matrix| matrix.iter().map(|row| greatest(row)).fold(0.0_f64, f64::max));
+        let time = time.min((mass / stiffness).sqrt());
+        let velocity = f64::EPSILON * 4096.0 * force * time / mass;
+        let of = |x: f64| if x.is_finite() { x } else { 0.0 };
+        Self { displacement: of(velocity * time), velocity: of(velocity) }
+    }
+
+    fn of(self, unit: Unit) -> f64 {
+        match unit {
+            Unit::Displacement => self.displacement,
+            Unit::Velocity => self.velocity,
+            _ => 0.0,
+        }
+    }
+}
 
 /// A number with what is estimated of it.
 struct Estimate {
@@ -218,7 +280,7 @@ struct Estimate {
 
 /// The best answer from those with tables of more and more pieces, with its numbers rounded to their digits, and the largest relative error
 /// of its displacements and velocities.
-pub(super) fn extrapolated<T: Numbers>(coarsest: &T, coarse: &T, fine: &T) -> (T, f64) {
+pub(super) fn extrapolated<T: Numbers>(coarsest: &T, coarse: &T, fine: &T, nothing: Nothing) -> (T, f64) {
     let values = |of: &T| -> Vec<f64> { of.clone().numbers().iter().map(|number| *number.value).collect() };
     let (b, c) = (values(coarse), values(fine));
     let agree = coarse.is_like(fine) && b.len() == c.len();
@@ -260,7 +322,10 @@ pub(super) fn extrapolated<T: Numbers>(coarsest: &T, coarse: &T, fine: &T) -> (T
     let sizes = units.map(|unit| (unit, size(unit)));
     let size = |unit: Unit| sizes.iter().find(|own| own.0 == unit).map_or(0.0, |own| own.1);
     let is_state = |unit: Unit| matches!(unit, Unit::Displacement | Unit::Velocity);
-    let relative = |of: &Estimate| if of.error > 0.0 { of.error / size(of.unit) } else { 0.0 };
+    let relative = |of: &Estimate| {
+        let size = size(of.unit).max(nothing.of(of.unit));
+        if of.error > 0.0 { of.error / size } else { 0.0 }
+    };
     let of_state = estimates.iter().filter(|of| is_state(of.unit) && !of.is_phase);
     let shared = of_state.map(relative).filter(|x| x.is_finite()).fold(0.0, f64::max);
     let mut latest = 0.0_f64;
@@ -305,6 +370,22 @@ pub(super) fn told<T: Numbers>(bound: Proved, fine: &T, answer: &T) -> Option<Pr
     let displacement = moved(&bound.displacement, Unit::Displacement)?;
     let velocity = moved(&bound.velocity, Unit::Velocity)?;
     Some(Proved { displacement, velocity })
+}
+
+/// The same of a steady motion.
+pub(super) fn told_of_steady(
+    bound: ProvedSteady,
+    fine: &Motion<f64>,
+    answer: &Motion<f64>,
+) -> Option<ProvedSteady> {
+    let half = |of: &Motion<f64>| -> Vec<f64> {
+        of.max_displacement.iter().zip(&of.min_displacement).map(|(a, b)| (a - b) / 2.0).collect()
+    };
+    let own = half(answer);
+    let pairs = half(fine).into_iter().zip(&own).zip(&bound.half_range);
+    let half_range: Vec<f64> = pairs.map(|((fine, own), x)| x + (fine - own).abs()).collect();
+    let size = own.iter().copied().fold(0.0, f64::max);
+    half_range.iter().all(|x| *x <= USEFUL * size).then_some(ProvedSteady { half_range, ..bound })
 }
 
 /// A number to the last digit whose unit is at least eight times its estimated error: of 500 random machines some had four times the estimate.

@@ -103,7 +103,11 @@ pub fn digits_sentence(digits: &Digits, units: Option<&Units>) -> String {
         let (displacement, velocity) = (greatest(&bound.displacement, Of::Length), greatest(&bound.velocity, Of::Velocity));
         format!(" It is proved that displacements are right within {displacement}, and velocities within {velocity}.")
     });
-    format!("{tables}{known}{proved}")
+    let steady = digits.steady_bound.as_ref().map_or_else(String::new, |bound| {
+        let (way, velocity) = (greatest(&bound.half_range, Of::Length), greatest(&bound.velocity_rms, Of::Velocity));
+        format!(" It is proved of every motion with this period that its velocities are within {velocity} of those under the table in the root mean square, and that half the distance between the extremes of a displacement is right within {way}.")
+    });
+    format!("{tables}{known}{proved}{steady}")
 }
 
 /// The verdict on a steady motion.

@@ -1,9 +1,9 @@
 //! Motions under laws that are curves: by tables that are refined, with the digits that agree.
 
 use super::built::NamedSystem;
-use super::digits::{Numbers, OfPassage, OfStates, OfSteady, extrapolated, told};
+use super::digits::{Nothing, Numbers, OfPassage, OfStates, OfSteady, extrapolated, told, told_of_steady};
 use super::laws::{Law, Refined, set_points};
-use super::proved::{Proved, Tabled, bound};
+use super::proved::{Difference, Proved, ProvedSteady, Tabled};
 use super::why::Why;
 use serde::Serialize;
 use stickslip::system::{Beyond, Error, Motion, State, Steady, System};
@@ -32,6 +32,9 @@ pub struct Digits {
     pub error: f64,
     /// A bound of the errors of displacements and velocities, where it says a digit of each at least.
     pub bound: Option<Proved>,
+    /// A bound of a steady motion under loads, where dampers take more than laws fall and it says a digit of displacements at least.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub steady_bound: Option<ProvedSteady>,
 }
 
 /// A table.
@@ -181,7 +184,8 @@ impl NamedSystem {
                 continue;
             }
             let events_agree = coarse.is_like(&fine);
-            let (answer, error) = extrapolated(&coarsest, &coarse, &fine);
+            let nothing = Nothing::new(&self.described.model, fine.span());
+            let (answer, error) = extrapolated(&coarsest, &coarse, &fine, nothing);
             let points: Vec<_> = tables.iter().map(|of| of.table(fineness)).collect();
             let of_tables = laws.iter().zip(&tables).zip(&points).map(|((law, of), table)| {
                 let (within, proved) = of.error(table);
@@ -195,11 +199,16 @@ impl NamedSystem {
                 let reach = fine.reach(element).unwrap_or(f64::INFINITY);
                 Tabled { element, points, within, reach, range }
             });
-            let bound = fine.duration().and_then(|time| {
-                let bound = bound(&self.described.model, &tabled.collect::<Vec<_>>(), time)?;
-                told(bound, &fine, &answer)
+            let tabled: Vec<_> = tabled.collect();
+            let difference = || Difference::new(&self.described.model, &tabled);
+            let bound = fine.duration().and_then(|time| told(difference()?.after(time)?, &fine, &answer));
+            let steady_bound = fine.steady().zip(answer.steady()).and_then(|(fine, answer)| {
+                told_of_steady(difference()?.over_period(fine.period)?, &fine.motion, &answer.motion)
             });
-            return Ok((answer, Some(Digits { tables, digits: "estimated", events_agree, error, bound })));
+            return Ok((
+                answer,
+                Some(Digits { tables, digits: "estimated", events_agree, error, bound, steady_bound }),
+            ));
         }
         Err(Why::Law("the motion leaves every table of its laws".to_owned()))
     }

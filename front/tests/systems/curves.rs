@@ -221,6 +221,96 @@ fn the_bound_under_a_law_that_rises_is_kept() {
     assert!(digits.bound.is_none() && digits.tables[0].proved);
 }
 
+/// A steady motion under a law that rises, or falls by less than the damper takes: the bound holds the motion that small steps on the curve come to.
+#[test]
+fn the_bound_of_a_steady_motion_is_kept() {
+    let mut random = Random(765);
+    let (mut closest, mut widest, mut told, mut stops) = (0.0_f64, 0.0_f64, 0, 0);
+    for number in 0..crate::count(8, 80) {
+        let (rest, more, speed) =
+            (random.between(0.5, 3.0), random.between(0.5, 3.0), random.between(0.1, 0.8));
+        let [m, k, c] = [random.between(0.5, 2.5), random.between(20.0, 90.0), random.between(0.5, 2.0)];
+        // The greatest fall of the second law is at 0.
+        let falls = number % 2 == 0;
+        let fall = 0.8 * c * speed;
+        let friction = if falls { rest + fall } else { rest };
+        let load =
+            [friction * random.between(1.6, 5.0), random.between(3.0, 9.0), random.between(0.0, 6.0), 0.0];
+        let [amplitude, frequency, phase, _] = load;
+        let curve = move |v: f64| {
+            if falls { rest + fall * (-v / speed).exp() } else { rest + more * (v / speed).tanh().powi(2) }
+        };
+        let formula = if falls {
+            format!("{rest} + {fall}*exp(-v/{speed})")
+        } else {
+            format!("{rest} + {more}*tanh(v/{speed})^2")
+        };
+        let file = format!(
+            "units = \"N,m\"\n[masses]\nm = {m}\n[[springs]]\nname = \"s\"\nbetween = [\"ground\", \"m\"]\nstiffness = {k}\ndamping = {c}\n[[contacts]]\nname = \"c\"\nbetween = [\"ground\", \"m\"]\nlaw = {{ formula = \"{formula}\" }}\n[[forces]]\non = \"m\"\namplitude = {amplitude}\nfrequency = {frequency}\nphase = {phase}\n"
+        );
+        let found = named(&file);
+        let (steady, digits) = found.steady(&found.described.start).unwrap();
+        let digits = digits.unwrap();
+        if steady.kind.name() != "periodic" {
+            continue;
+        }
+        let Some(bound) = digits.steady_bound else {
+            panic!("{number}: {digits:?}\n{file}");
+        };
+        assert!(digits.bound.is_none() && digits.tables[0].proved);
+        let machine = |start: Vec<f64>| Machine {
+            mass: vec![m],
+            spring: vec![(Box::new(move |x: f64| k * x), Vec::new(), c)],
+            friction: Some(Box::new(curve)),
+            belt: 0.0,
+            load,
+            start,
+            step: 1.0 / 512.0,
+        };
+        let (period, of_loads) = (steady.period, std::f64::consts::TAU / frequency);
+        assert!((period / of_loads - 1.0).abs() < 1e-12, "{number}\n{file}");
+        let (settled, _) = machine(vec![0.0, 0.0]).follow(300.0 * of_loads);
+        let (again, events) = machine(settled.clone()).follow(of_loads);
+        let apart = settled.iter().zip(&again).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(apart < 1e-9, "{number}: {apart:e}\n{file}");
+        // The velocity is zero at the extremes.
+        let turns = events.iter().filter(|event| event.1 != "slip");
+        let places: Vec<f64> = turns.map(|event| machine(settled.clone()).follow(event.0).0[0]).collect();
+        let [low, high] = [
+            places.iter().copied().fold(f64::MAX, f64::min),
+            places.iter().copied().fold(f64::MIN, f64::max),
+        ];
+        let own = (steady.motion.max_displacement[0] - steady.motion.min_displacement[0]) / 2.0;
+        let off = (own - (high - low) / 2.0).abs();
+        assert!(off <= bound.half_range[0] + 1e-9, "{number}: {off:e} {bound:?}\n{file}");
+        let times: Vec<f64> = (1..=24).map(|i| of_loads * f64::from(i) / 24.0).collect();
+        let states = found.states(&steady.start, &times).unwrap();
+        let square: f64 = states
+            .iter()
+            .zip(&times)
+            .map(|(state, &time)| {
+                let due = machine(settled.clone()).follow(time).0[1];
+                // States are rounded to their digits.
+                ((state.velocity[0] - due).abs() - last(state.velocity[0]) / 2.0).max(0.0).powi(2)
+            })
+            .sum();
+        let mean = (square / 24.0).sqrt();
+        assert!(mean <= bound.velocity_rms[0] + 1e-9, "{number}: {mean:e} {bound:?}\n{file}");
+        closest = closest.max(off / bound.half_range[0]).max(mean / bound.velocity_rms[0]);
+        widest = widest.max(bound.half_range[0] / own);
+        stops += events.iter().filter(|event| event.1 == "stick").count();
+        told += 1;
+    }
+    println!(
+        "{told} steady motions, {stops} stops, {closest:.4} of the bound at most, {widest:.1e} of the range at most"
+    );
+    assert!(told * 2 > crate::count(8, 80) && stops > 0 && widest < 1e-2, "{told} {stops} {widest}");
+    // A law that falls by more than the damper takes has none.
+    let text = "units = \"N,m\"\n[masses]\nm = 1\n[[springs]]\nname = \"s\"\nbetween = [\"ground\", \"m\"]\nstiffness = 40\ndamping = 0.5\n[[contacts]]\nname = \"c\"\nbetween = [\"ground\", \"m\"]\nlaw = { kinetic = 2, static = 3, speed = 0.4 }\n[[forces]]\non = \"m\"\namplitude = 12\nfrequency = 4\n";
+    let found = named(text);
+    assert!(found.steady(&found.described.start).unwrap().1.unwrap().steady_bound.is_none());
+}
+
 /// Modelica's example `Friction`: 1.768518 m.
 #[test]
 fn the_end_of_modelicas_example() {

@@ -5,7 +5,6 @@ use crate::float::Float;
 use crate::machine::error::written;
 use crate::system::assembly::{Assembly, Part, Rule};
 use crate::system::blow::{Strike, place_at_gap, strike};
-use crate::system::branch::Branch;
 use crate::system::error::Error;
 use crate::system::massless;
 use crate::system::matrix::{at, dot, set, size_of_dot};
@@ -144,7 +143,7 @@ impl<F: Float> Follower<'_, F> {
     }
 
     pub(super) fn is_slow(&self, element: usize) -> bool {
-        self.branch().is_some_and(|branch| is_slow(self.system, branch, element, &self.z))
+        self.branch().is_some_and(|branch| branch.is_slow(self.system, element, &self.z))
     }
 
     /// A body beyond a stop that gives no way.
@@ -261,12 +260,12 @@ impl<F: Float> Follower<'_, F> {
     pub(super) fn strike(&mut self, modes: &mut [Mode], hit: &[usize]) -> Result<Option<Strike<F>>, Error> {
         let system = self.system;
         let Some(branch) = self.branches.current().filter(|_| !hit.is_empty()) else { return Ok(None) };
-        let is_slow = |element: usize, z: &[F]| is_slow(system, branch, element, z);
-        let struck = strike(system, branch, &mut self.z, modes, hit, &mut self.blows, is_slow);
+        let struck = strike(system, branch, &mut self.z, modes, hit, &mut self.blows);
         let struck = struck.map_err(|element| self.undecided(element))?;
         for (i, (part, mode)) in system.parts.iter().zip(modes).enumerate() {
             if matches!(mode, Mode::Stuck | Mode::Slides { .. }) {
-                *mode = if self.is_slow(i) {
+                let stays = *mode == Mode::Stuck && struck.keeps(part);
+                *mode = if stays || self.is_slow(i) {
                     Mode::Stuck
                 } else {
                     slides(&part.rule, dot(&part.velocity, &self.z))
@@ -284,11 +283,4 @@ impl<F: Float> Follower<'_, F> {
         }
         Ok(Some(struck))
     }
-}
-
-/// Whether rounding cannot tell the velocity along an element from zero, by what it could be within a step.
-fn is_slow<F: Float>(system: &Assembly<F>, branch: &Branch<F>, element: usize, z: &[F]) -> bool {
-    let Some(part) = system.parts.get(element) else { return false };
-    let bound = size_of_dot(branch.speed_error(element, &part.velocity), z);
-    dot(&part.velocity, z).abs() <= bound * F::int(4)
 }

@@ -44,7 +44,10 @@ enum Mode {
     Away,
 }
 
+#[derive(Clone)]
 pub(super) struct Machine {
+    /// Velocities below this are none after ever smaller blows.
+    slow: f64,
     n: usize,
     inverse: Vec<Vec<f64>>,
     damping: Vec<Vec<f64>>,
@@ -78,16 +81,18 @@ fn inverse(matrix: &[Vec<f64>]) -> Vec<Vec<f64>> {
     rows.into_iter().map(|row| row[n..].to_vec()).collect()
 }
 
-/// Velocities below this are none after ever smaller blows, and accelerations below the second keep what rests.
-const SLOW: f64 = 1e-6;
+/// Accelerations below this keep what rests.
 const STILL: f64 = 1e-10;
 /// A distance beyond a stop that is no rounding.
 const DEEP: f64 = 1e-15;
+/// A velocity that rounding cannot tell from 0: contacts of bodies that move together come to rest together.
+const NONE: f64 = 1e-13;
 
 impl Machine {
     pub(super) fn new(model: &Model<f64>, rubs: Vec<Rub>, walls: Vec<Wall>) -> Self {
         let waves = model.harmonics.iter().map(|h| (h.frequency, h.sin.clone(), h.cos.clone())).collect();
         Self {
+            slow: 1e-6,
             n: model.mass.len(),
             inverse: inverse(&model.mass),
             damping: model.damping.clone(),
@@ -97,6 +102,11 @@ impl Machine {
             rubs,
             walls,
         }
+    }
+
+    /// The machine with another end of ever smaller blows.
+    pub(super) fn with_slow(&self, slow: f64) -> Self {
+        Self { slow, ..self.clone() }
     }
 
     fn count(&self) -> usize {
@@ -272,7 +282,7 @@ impl Machine {
             .map(|&i| {
                 let v = self.velocity(i, z);
                 let e = self.wall(i).map_or(0.0, |wall| wall.e);
-                if hit.contains(&i) && e * v > SLOW { -e * v } else { 0.0 }
+                if hit.contains(&i) && e * v > self.slow { -e * v } else { 0.0 }
             })
             .collect();
         let before: Vec<f64> = all.iter().map(|&i| self.velocity(i, z)).collect();
@@ -318,11 +328,11 @@ impl Machine {
             let Some(wall) = self.wall(i) else { continue };
             let over = dot(&wall.b, &z[..self.n]) - wall.gap;
             self.without(i, &mut z[..self.n], over);
-            if hit.contains(&i) && before[k] > SLOW {
+            if hit.contains(&i) && before[k] > self.slow {
                 events.push(Kept { time: t, element: i, kind: EventKind::Blow, speed: before[k] });
             }
             let after = self.velocity(i, z);
-            modes[i] = if after < -SLOW { Mode::Away } else { Mode::Rests };
+            modes[i] = if after < -self.slow { Mode::Away } else { Mode::Rests };
         }
         for (i, mode) in modes.iter_mut().enumerate().take(self.rubs.len()) {
             let v = self.velocity(i, z);
@@ -379,9 +389,14 @@ impl Machine {
             };
             let (at, element) = fired.iter().map(zero).min_by(|a, b| a.0.total_cmp(&b.0)).unwrap();
             let (after, mut fired) = ended(at, None);
-            if !fired.contains(&element) {
-                fired.push(element);
-            }
+            let a = self.acceleration(&modes, t + at, &after);
+            let stops = |i: usize| match modes[i] {
+                Mode::Slides(s) => s * self.velocity(i, &after) < NONE && s * dot(self.b(i), &a) < 0.0,
+                _ => false,
+            };
+            fired.extend((0..self.count()).filter(|&i| i == element || stops(i)));
+            fired.sort_unstable();
+            fired.dedup();
             let before = modes.clone();
             (t, z) = (t + at, after);
             longest = 1e-6;

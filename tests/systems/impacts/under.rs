@@ -1,7 +1,7 @@
 //! Friction under the force, and the blows, of a stop with a restitution.
 
 use super::small_steps::{Machine, Rub, Wall};
-use super::{Random, at, element, energy, of, rub, stop};
+use super::{Judged, Random, at, beside, element, energy, of, rub, stop};
 use stickslip::system::{Element, EventKind, Harmonic, Kind, Model, State, SteadyKind, System};
 
 fn under(direction: Vec<f64>, stop: usize, coefficient: f64, peak: f64) -> Element<f64> {
@@ -184,14 +184,15 @@ fn machine(random: &mut Random) -> (Model<f64>, State<f64>, Machine, f64) {
 fn random_machines_are_those_of_small_steps() {
     let mut random = Random(762);
     let (mut compared, mut blows, mut closes, mut opens, mut slides) = (0, 0, 0, 0, 0);
-    let (mut worst, mut failed) = (0.0_f64, Vec::new());
+    let (mut worst, mut multiplied, mut failed) = (0.0_f64, 0, Vec::new());
     for number in 0..crate::count(40, 500) {
         let (model, start, machine, until) = machine(&mut random);
         let motion = System::new(&model).and_then(|system| system.simulate(&start, until));
         let motion = motion.unwrap_or_else(|error| panic!("{number}: {error}\n{model:?}"));
         assert!(energy(&motion) < 1e-12, "{number}: {}", energy(&motion));
-        match super::beside(&machine, &start, until, &motion) {
-            Ok(by) => worst = worst.max(by),
+        match beside(&model, &machine, &start, until, &motion) {
+            Ok(Judged { is_multiplied: true, .. }) => multiplied += 1,
+            Ok(Judged { by, .. }) => worst = worst.max(by),
             Err(why) => failed.push(format!("{number}: {why}\n{model:?}\n{start:?}")),
         }
         compared += 1;
@@ -202,9 +203,10 @@ fn random_machines_are_those_of_small_steps() {
         slides += count(EventKind::Stick) + count(EventKind::Slip) + count(EventKind::Reverse);
     }
     println!(
-        "{compared} machines, {blows} blows, {closes} contacts, {opens} of them opened, {slides} slips, rests and reversals, worst {worst:e}"
+        "{compared} machines, {blows} blows, {closes} contacts, {opens} of them opened, {slides} slips, rests and reversals, worst {worst:e}, {multiplied} beside 256 bits"
     );
     assert!(failed.is_empty(), "{} of {compared}\n{}", failed.len(), failed.join("\n"));
+    assert!(multiplied * 100 <= compared, "{multiplied} of {compared}");
     assert!(blows > 10 * compared && closes > compared && opens > 0 && slides > compared);
 }
 
