@@ -1,5 +1,7 @@
 //! Damping by modes beside mpmath's and SciPy's, and closed forms of two masses.
 
+use crate::compared::Origin::{AnotherProgram, ByHand};
+use crate::compared::{compared, near};
 use serde_json::Value;
 use std::str::FromStr;
 use stickslip::Float;
@@ -46,6 +48,14 @@ fn are_those_of_others<F: Float + FromStr + Default>(part: f64) {
             for (j, (&x, &y)) in own.iter().zip(others).enumerate() {
                 let by = (x - y).to_f64().abs();
                 assert!(by <= part * most, "{name} ({i}, {j}): {x} for {y}, off by {by:e}");
+                let bound = (part * most).max(f64::EPSILON * y.to_f64().abs());
+                compared(
+                    "fn system::Model::with_damping_ratios",
+                    x.to_f64(),
+                    y.to_f64(),
+                    AnotherProgram,
+                    bound,
+                );
                 assert!(found[j][i] == x, "{name}: not symmetric");
             }
         }
@@ -99,6 +109,11 @@ fn two_masses_decay_in_closed_form() {
     let (by_ratios, by_factors) = (by_ratios.unwrap().damping, by_factors.unwrap().damping);
     for (x, y) in by_ratios.iter().flatten().zip(by_factors.iter().flatten()) {
         assert!((x - y).abs() < 1e-14, "{x} for {y}");
+    }
+    // In phase the dampers give 2 ζ₁ω₁ m, against each other 2 ζ₂ω₂ m.
+    let (sum, difference) = (ratios[0] * one + ratios[1] * two, ratios[0] * one - ratios[1] * two);
+    for (own, due) in by_factors[0].iter().zip([2.0 * sum, 2.0 * difference]) {
+        near("fn system::Model::with_rayleigh", *own, due, ByHand, 1e-14);
     }
 }
 
