@@ -35,18 +35,19 @@ pub struct NamedSystem<F = f64> {
 
 impl<F: Number> NamedSystem<F> {
     /// As [`NamedSystem::new`], in any numbers.
-    pub(super) fn read(
+    pub(super) fn read<'s>(
         value: &Value,
-        set: &[(&str, &str)],
+        set: impl IntoIterator<Item = (&'s str, &'s str)>,
         folder: &Path,
         units: Option<&Units>,
     ) -> Result<Self, String> {
         let built = |value: &Value| Self::of(file::described(value, folder, units)?);
+        let set: Vec<(&str, &str)> = set.into_iter().collect();
         if set.is_empty() {
             return built(value);
         }
         let mut other = value.clone();
-        for (path, new) in set {
+        for (path, new) in &set {
             NamedSystem::set(&mut other, path, new)?;
         }
         built(&other).map_err(|why| {
@@ -246,7 +247,7 @@ impl NamedSystem {
         folder: &Path,
         units: Option<&Units>,
     ) -> Result<Self, String> {
-        Self::read(value, set, folder, units)
+        Self::read(value, set.iter().copied(), folder, units)
     }
 
     /// With a record of the base's acceleration beside the loads of the file.

@@ -368,8 +368,7 @@ impl<'a> Grid<'a> {
         }
         let chosen = || self.axes.iter().zip(&typed);
         let set = chosen().filter_map(|(axis, text)| Some((axis.path.as_deref()?, text.as_str())));
-        let set: Vec<_> = set.collect();
-        let mut found = NamedSystem::<F>::read(self.value, &set, self.folder, self.units)?;
+        let mut found = NamedSystem::<F>::read(self.value, set, self.folder, self.units)?;
         for (axis, text) in chosen().filter(|(axis, _)| axis.path.is_none()) {
             let frequency = found.reader().value(axis.typed.trim(), text, Of::Frequency);
             found = found

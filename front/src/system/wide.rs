@@ -27,7 +27,7 @@ impl WideSystem {
         units: Option<&Units>,
         keep_going: fn() -> ControlFlow<()>,
     ) -> Result<Self, String> {
-        let found = NamedSystem::read(value, set, folder, units)?;
+        let found = NamedSystem::read(value, set.iter().copied(), folder, units)?;
         Ok(Self(found.while_allowed(keep_going)))
     }
 
