@@ -2,10 +2,10 @@
 
 use alloc::borrow::ToOwned;
 use alloc::string::String;
+use core::fmt;
 
 /// The error for a text that names nothing of its kind.
-#[derive(Debug, Clone, PartialEq, Eq, Hash, thiserror::Error)]
-#[error("name = {name} must be one of {}", choices.join(", "))]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub struct UnknownName {
     /// The unknown name.
@@ -13,6 +13,14 @@ pub struct UnknownName {
     /// The names that there are.
     pub choices: &'static [&'static str],
 }
+
+impl fmt::Display for UnknownName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "name = {} must be one of {}", self.name, self.choices.join(", "))
+    }
+}
+
+impl core::error::Error for UnknownName {}
 
 impl UnknownName {
     /// The place of a name among the choices.

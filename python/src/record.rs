@@ -6,6 +6,7 @@ use crate::refused;
 use crate::table::Table;
 use interrupt::{interruptible, left_behind};
 use numpy::PyReadonlyArray1;
+use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::prelude::*;
@@ -87,6 +88,13 @@ impl Read for Watched {
     }
 }
 
+/// The error of the operating system as Python has it, with its number and its text.
+fn of_system(error: std::io::Error) -> PyErr {
+    let text = error.to_string();
+    let text = text.split(" (os error").next().unwrap_or_default().to_owned();
+    PyOSError::new_err((error.raw_os_error(), text))
+}
+
 /// Reads a record from a file of this name, or from bytes. `wanted` is the column of the time, the sensitivity, the mean that
 /// is taken off and the new step.
 #[pyfunction]
@@ -101,7 +109,7 @@ fn record_read<'py>(
     record_units: Option<&str>,
     wanted: [Option<String>; 4],
 ) -> PyResult<FileRead<'py>> {
-    let file = if bytes.is_none() { Some(File::open(name)?) } else { None };
+    let file = if bytes.is_none() { Some(File::open(name).map_err(of_system)?) } else { None };
     let [time_column, scale, remove_mean, resample] = wanted;
     // The shortest decimal is read as the same number.
     let time_step = time_step.map(|step| format!("{step:e} s"));
@@ -125,7 +133,7 @@ fn record_read<'py>(
         let found = front::read(&mut file, &options);
         file.get_mut().failed.take().map_or(Ok(found), Err)
     });
-    let found = found?.map_err(refused)?;
+    let found = found.map_err(of_system)?.map_err(refused)?;
     let (record, summary) = (&found.record, &found.summary);
     let (of, unit) = match record.excitation() {
         Excitation::Force => ("force", "N"),

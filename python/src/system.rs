@@ -10,7 +10,6 @@ use rayon::prelude::*;
 use std::path::Path;
 use std::sync::Arc;
 use stickslip::motion::record::Record;
-use stickslip::system::Error;
 use stickslip_front::inputs::units::{Kind, System as Units};
 use stickslip_front::system::{
     Answer, Asked, Axis, Cell, Description, Grid, NamedSystem, OfBorder, Samples, Units as UnitsOf, Why,
@@ -156,10 +155,8 @@ impl NativeSystem {
 
     fn border(&self, py: Python<'_>) -> PyResult<String> {
         let named = Arc::clone(&self.named);
-        let work = move || -> Result<_, Error> { Ok((named.system.border()?, named.system.cycle()?)) };
-        let (found, cycle) = left_behind(py, work)?.map_err(refused)?;
-        // Below the border the cycle is no motion.
-        json(&OfBorder::new(&found, cycle.filter(|cycle| cycle.margin >= 1.0).as_ref()))
+        let (found, cycle) = left_behind(py, move || named.border())?.map_err(refused)?;
+        json(&OfBorder::new(&found, cycle.as_ref()))
     }
 
     /// A row for each place of a grid: names, columns, and the rows without an answer with their reasons. The path of an

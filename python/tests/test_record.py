@@ -1,6 +1,9 @@
 """The motion under records: closed forms, agreement of the ways to ask, refusals."""
 
+import errno
 import math
+import os
+import pickle
 import re
 
 import numpy as np
@@ -274,5 +277,9 @@ def test_a_missing_file_is_an_error_of_files_and_ours(tmp_path):
         with pytest.raises(FileNotFoundError) as caught:
             read(tmp_path / "none.csv")
         assert isinstance(caught.value, ss.Error) and isinstance(caught.value, ss.FileError)
-        with pytest.raises(ss.FileError):
+        with pytest.raises(ss.FileError) as other:
             read(tmp_path / "folder")
+        for error, number in ((caught.value, errno.ENOENT), (other.value, errno.EISDIR)):
+            again = pickle.loads(pickle.dumps(error))
+            assert type(again) is type(error) and str(again) == str(error) == f"{error.filename}: {os.strerror(number)}"
+            assert (again.errno, again.filename) == (error.errno, error.filename) == (number, str(error.filename))

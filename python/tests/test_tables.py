@@ -58,6 +58,29 @@ def test_states_are_a_table_over_the_time_with_units():
     assert shaken.states([0, 0.1]).to_frame().attrs["units"]["m.absolute_acceleration"] == "m/s²"
 
 
+def test_a_table_of_machines_has_what_differs_among_them():
+    friction = np.array([10.0, 15.0, 18.0])
+    machines = ss.Machine(mass="12 kg", stiffness="30 kN/m", friction=friction[:, None], units="N,mm")
+    found = machines.steady(ss.Drive(force="40 N", frequency=[4.0, 6.0]), outputs=["max_displacement"])
+    table = found.to_frame()
+    assert list(table)[:3] == ["frequency", "friction", "angular_frequency"] and "mass" not in table
+    assert table.friction.tolist() == np.repeat(friction, 2).tolist() and table.frequency.tolist() == [4.0, 6.0] * 3
+    assert table.attrs["units"]["friction"] == "N" and table.attrs["units"]["frequency"] == "Hz"
+    assert table.pivot(index="frequency", columns="friction", values="max_displacement").to_numpy().T.tolist() == found.max_displacement.tolist()
+    data = found.to_xarray()
+    assert data["friction"].values.tolist() == [[own] * 2 for own in friction] and data["friction"].attrs == {"units": "N"}
+    labelled = machines.replace(friction=xr.DataArray(friction, dims="friction", coords={"friction": friction})).steady(ss.Drive(force="40 N", frequency=4.0)).to_xarray()
+    assert labelled["friction"].dims == ("friction",) and labelled["max_displacement"].sel(friction=15.0).item() == found.max_displacement[1, 0]
+    shaken = ss.Machine(mass=1.0, stiffness=[100.0, 200.0], friction=1.0, damping=[1.0, 2.0], units="N,m").steady(ss.Drive(base_acceleration=[1.0, 2.0], frequency=1.0, units="N,m"))
+    columns = shaken.to_frame()
+    assert columns[["stiffness", "damping", "base_acceleration"]].to_numpy().tolist() == [[100, 1, 1], [200, 2, 2]]
+    assert columns.attrs["units"]["base_acceleration"] == "m/s²" and "frequency" in columns and "friction" not in columns
+    one = ss.Machine(mass=1.0, stiffness=100.0, friction=1.0).steady(ss.Drive(force=2.0, frequency=5.0)).to_frame()
+    assert one.frequency.tolist() == [5.0] and "mass" not in one
+    none = ss.Machine(mass=[], stiffness=1.0, friction=1.0).steady(ss.Drive(force=2.0, frequency=5.0)).to_frame()
+    assert len(none) == 0 and "mass" not in none
+
+
 def test_motions_are_tables_of_bodies_elements_and_events():
     motion = frame().simulate("2 s")
     table = motion.to_frame()

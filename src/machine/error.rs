@@ -8,8 +8,36 @@ pub use number::Number;
 pub(crate) use number::written;
 pub use quantity::Quantity;
 
+/// An enumeration of errors with the text of each variant, as `thiserror` has it: a procedural macro would be a fifth of the time in which the
+/// smallest consumer compiles.
+macro_rules! errors {
+    ($(#[$attribute:meta])* pub enum $type:ident {
+        $(
+            $(#[doc = $meaning:literal])*
+            #[error($($text:tt)+)]
+            $variant:ident $({ $($(#[doc = $of_field:literal])* $field:ident: $kind:ty,)* })?,
+        )+
+    }) => {
+        $(#[$attribute])*
+        pub enum $type {
+            $($(#[doc = $meaning])* $variant $({ $($(#[doc = $of_field])* $field: $kind,)* })?,)+
+        }
+
+        impl core::fmt::Display for $type {
+            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                match self {
+                    $(Self::$variant $({ $($field,)* })? => write!(f, $($text)+),)+
+                }
+            }
+        }
+
+        impl core::error::Error for $type {}
+    };
+}
+
+errors! {
 /// The reason why there is no answer. Values are printed with all the digits that identify them.
-#[derive(Debug, Clone, PartialEq, Eq, Hash, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Error {
     /// NaN or an infinity where a finite number is required.
@@ -369,6 +397,7 @@ pub enum Error {
         /// Force ratio α.
         alpha: Number,
     },
+}
 }
 
 impl Error {

@@ -89,11 +89,8 @@ impl<F: Number> NamedSystem<F> {
         !self.described.laws.is_empty()
     }
 
-    /// With a record of the base's acceleration beside the loads of the file.
-    ///
-    /// # Errors
-    /// Where the record is of another load.
-    pub fn with_record(mut self, record: &Record<F>, name: &str) -> Result<Self, String> {
+    /// As [`NamedSystem::with_record`], in any numbers.
+    pub(super) fn shaken(mut self, record: &Record<F>, name: &str) -> Result<Self, String> {
         if record.excitation() != Excitation::SurfaceAcceleration {
             return Err(format!("{name}: must be a record of an acceleration"));
         }
@@ -125,11 +122,8 @@ impl<F: Number> NamedSystem<F> {
         Self::of(self.described)
     }
 
-    /// The border, and the cycle at the load of the file: below the border it is no motion.
-    ///
-    /// # Errors
-    /// As [`System::border`].
-    pub fn border(&self) -> Result<(Border<F>, Option<Cycle<F>>), Error> {
+    /// As [`NamedSystem::border`], in any numbers.
+    pub(super) fn border_with_cycle(&self) -> Result<(Border<F>, Option<Cycle<F>>), Error> {
         let found = self.system.border()?;
         Ok((found, self.system.cycle()?.filter(|cycle| cycle.margin >= F::int(1))))
     }
@@ -231,6 +225,7 @@ impl<F: Number> NamedSystem<F> {
     }
 }
 
+// What is generic would be compiled again in each crate that calls it.
 impl NamedSystem {
     /// The system of a value that [`parsed`](super::parsed) returned, with other values at some paths, in the units
     /// given or else in its own. Names of files in it are taken from the folder.
@@ -243,7 +238,33 @@ impl NamedSystem {
         folder: &Path,
         units: Option<&Units>,
     ) -> Result<Self, String> {
-        Self::read(value, set, folder, units)
+        let set: Vec<(&str, &str)> = set.into_iter().collect();
+        Self::with_values(value, &set, folder, units)
+    }
+
+    fn with_values(
+        value: &Value,
+        set: &[(&str, &str)],
+        folder: &Path,
+        units: Option<&Units>,
+    ) -> Result<Self, String> {
+        Self::read(value, set.iter().copied(), folder, units)
+    }
+
+    /// With a record of the base's acceleration beside the loads of the file.
+    ///
+    /// # Errors
+    /// Where the record is of another load.
+    pub fn with_record(self, record: &Record<f64>, name: &str) -> Result<Self, String> {
+        self.shaken(record, name)
+    }
+
+    /// The border, and the cycle at the load of the file: below the border it is no motion.
+    ///
+    /// # Errors
+    /// As [`System::border`].
+    pub fn border(&self) -> Result<(Border<f64>, Option<Cycle<f64>>), Error> {
+        self.border_with_cycle()
     }
 
     /// Sets a value at a path of a description: `name.field` of a named contact, spring, stop or body, or places in lists from

@@ -59,7 +59,7 @@ impl WideSystem {
     /// # Errors
     /// As there.
     pub fn with_record(self, record: &Record<Widest>, name: &str) -> Result<Self, String> {
-        self.0.with_record(record, name).map(Self)
+        self.0.shaken(record, name).map(Self)
     }
 
     /// As [`NamedSystem::until`].
@@ -101,7 +101,7 @@ impl WideSystem {
     /// # Errors
     /// As [`System::border`](stickslip::system::System::border).
     pub fn border(&self) -> Result<(Border<Widest>, Option<Cycle<Widest>>), Error> {
-        self.0.border()
+        self.0.border_with_cycle()
     }
 }
 

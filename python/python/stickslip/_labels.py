@@ -27,7 +27,15 @@ class WrongType(Error, TypeError):
 
 
 class FileError(Error, OSError):
-    """A file cannot be opened. It is an `Error` and an `OSError`; of a missing file, it is a `FileNotFoundError`, too."""
+    """A file cannot be opened. It is an `Error` and an `OSError`, with ``errno``, ``strerror`` and ``filename``; of a missing file, it is
+    a `FileNotFoundError`, too."""
+
+    def __new__(cls, *given: Any) -> "FileError":
+        # The first base would make no error of the system.
+        return OSError.__new__(cls, *given)
+
+    def __str__(self) -> str:
+        return f"{self.filename}: {self.strerror}"
 
 
 class _MissingFile(FileError, FileNotFoundError):
@@ -37,7 +45,7 @@ class _MissingFile(FileError, FileNotFoundError):
 def unreadable(name: object, error: OSError) -> FileError:
     """The error of a file that cannot be opened."""
     kind = _MissingFile if isinstance(error, FileNotFoundError) else FileError
-    return kind(f"{name}: {error.strerror or error}")
+    return kind(error.errno, error.strerror or str(error), name)
 
 
 class Like(NamedTuple):

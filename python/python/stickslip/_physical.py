@@ -14,6 +14,15 @@ from ._result import RATIOS, PhysicalResult, Points, Result, Value, points
 #: The values of a body, in the order of the compiled part.
 OF_BODY = ("mass", "stiffness", "friction", "friction_backward", "damping", "static_friction_ratio")
 _OF_DRIVE = ("amplitude", "angular_frequency", "mean_force")
+#: The kinds of the values that a machine's answers do not have.
+_KINDS = {
+    "mass": "mass",
+    "stiffness": "stiffness",
+    "friction": "force",
+    "friction_backward": "force",
+    "damping": "damping constant",
+    "mean_force": "force",
+}
 #: Values that do not exist without a spring.
 _OF_SPRING = ("friction_displacement", "mean_displacement", "max_spring_force", "dynamic_amplification", "equivalent_damping_ratio")
 #: Scales that do not depend on the drive.
@@ -125,6 +134,21 @@ class Driven(NamedTuple):
             return self.constant(name)
         value: Value = self.columns(name)[0]
         return value
+
+    def varied(self) -> dict[str, tuple[Any, str]]:
+        """The frequency if it was given in hertz, and the values that differ among the bodies and drives, in the shape of the points, with their
+        units; the amplitude of a force is a value of each answer."""
+        found: dict[str, tuple[Any, str]] = {}
+        if self.is_in_hertz:
+            found["frequency"] = (np.asarray(self.at.in_shape()["angular_frequency"]) / (2 * np.pi), "Hz")
+        kinds = {**_KINDS, **dict(_native.EXCITATIONS)}
+        units = names_of(self.units, kinds) or {}
+        for name in (*_KINDS, *({self.excitation} - {"force"})):
+            array = self.at.given[name if name in _KINDS else "amplitude"]
+            # Without a friction of its own backward it is NaN.
+            if array.size and np.any((array != array.flat[0]) & ~np.isnan(array)):
+                found[name] = (np.broadcast_to(array, self.at.shape or ()), units.get(name, ""))
+        return found
 
     def names(self, rows: Mapping[str, Any], sources: Mapping[str, str]) -> list[str]:
         """The values that exist under this excitation."""

@@ -265,11 +265,15 @@ class Result(dict[str, Any], metaclass=Brief):
                 found.update({f"{name}_{part + 1}": array[..., part] for part in range(array.shape[-1])})
         return shape, found
 
+    def _given(self, shape: tuple[int, ...]) -> dict[str, tuple[NDArray[Any], str]]:
+        """What was given and is no value of the answer, in the shape of the points, with its unit."""
+        return {}
+
     def to_frame(self) -> Any:
         """A frame of pandas with a row for each point, in the order of NumPy, and a column for each value.
 
-        The labels of the arguments are its index. ``frame.attrs["units"]`` has the units. A frequency that was given in hertz has a
-        column in hertz, too.
+        The labels of the arguments are its index. ``frame.attrs["units"]`` has the units. What differs among machines has a
+        column, and a frequency that was given in hertz one in hertz, too.
         """
         pandas = module("pandas")
         shape, columns = self._columns()
@@ -286,9 +290,9 @@ class Result(dict[str, Any], metaclass=Brief):
         else:
             index = pandas.MultiIndex.from_product(axes, names=[axis.name for axis in axes])
         units = dict(self.units or {})
-        if getattr(getattr(self, "_driven", None), "is_in_hertz", False) and "angular_frequency" in columns:
-            columns = {"frequency": columns["angular_frequency"] / (2 * np.pi), **columns}
-            units["frequency"] = "Hz"
+        given = self._given(shape)
+        columns = {**{name: array for name, (array, _) in given.items()}, **columns}
+        units |= {name: unit for name, (_, unit) in given.items() if unit}
         frame = pandas.DataFrame({name: array.reshape(-1) for name, array in columns.items()}, index=index)
         frame.attrs["units"] = {name: units[name] for name in columns if name in units}
         return frame
@@ -315,6 +319,9 @@ class Result(dict[str, Any], metaclass=Brief):
             # The motions of many points have common phases.
             dims, coords = (*dims[:-1], "phase"), {**coords, "phase": ("phase", self._array("phase"))}
         variables = {name: (dims, array, self._attributes(name)) for name, array in columns.items() if name not in coords}
+        for name, (array, unit) in self._given(shape).items():
+            if name not in (*variables, *coords, *dims):
+                variables[name] = (dims, array, {"units": unit} if unit else {})
         return xarray.Dataset(variables, coords=coords)
 
     def _titled(self, name: str) -> str:
@@ -510,6 +517,10 @@ class PhysicalResult(Result):
     def units(self) -> Optional[Mapping[str, str]]:
         """The unit of each value; None if the machine was given in numbers without units."""
         return self._units
+
+    def _given(self, shape: tuple[int, ...]) -> dict[str, tuple[NDArray[Any], str]]:
+        driven = getattr(self, "_driven", None)
+        return {} if driven is None or (driven.at.shape or ()) != shape else driven.varied()
 
     def _text(self, name: str, value: Any) -> str:
         return f"{short(value)} {(self.units or {}).get(name, '')}".rstrip()

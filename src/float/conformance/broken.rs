@@ -2,12 +2,11 @@
 
 use super::super::Float;
 use alloc::string::{String, ToString};
-use core::fmt::Display;
+use core::fmt::{self, Display, Formatter};
 
 /// A promise that a number type breaks.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
-#[error("{method} at {argument} breaks its promise: {promise}")]
 pub struct Broken {
     /// The method, with its trait: `Float::floor`, `Add::add`.
     pub method: &'static str,
@@ -16,6 +15,15 @@ pub struct Broken {
     /// The promise: what the method has to give.
     pub promise: &'static str,
 }
+
+impl Display for Broken {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let Self { method, argument, promise } = self;
+        write!(f, "{method} at {argument} breaks its promise: {promise}")
+    }
+}
+
+impl core::error::Error for Broken {}
 
 /// An error unless the method keeps the promise.
 pub(super) fn hold(
@@ -28,9 +36,13 @@ pub(super) fn hold(
 }
 
 /// Two arguments in one text.
-#[derive(thiserror::Error, Debug)]
-#[error("({0}, {1})")]
-pub(super) struct Both<F: Float>(pub(super) F, pub(super) F);
+pub(super) struct Both<F>(pub(super) F, pub(super) F);
+
+impl<F: Float> Display for Both<F> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        write!(f, "({}, {})", self.0, self.1)
+    }
+}
 
 /// Evenly spread fractions of 2³⁰, the same in each run.
 pub(super) fn spread() -> impl Iterator<Item = i32> {
