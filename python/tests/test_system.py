@@ -162,6 +162,40 @@ def test_a_file_names_and_matrices_are_one_system(machine):
     np.testing.assert_allclose(file.natural_angular_frequencies("bearing"), [np.sqrt(600)], rtol=1e-12)
 
 
+def test_damping_is_given_by_modes(tmp_path):
+    mass, stiffness, ratios = np.diag([2.0, 3.0, 1.0]), np.array([[700.0, -300, 0], [-300, 500, -200], [0, -200, 200]]), [0.02, 0.05]
+    linalg = pytest.importorskip("scipy.linalg")
+    sparse, io = pytest.importorskip("scipy.sparse"), pytest.importorskip("scipy.io")
+    squares, shapes = linalg.eigh(stiffness, mass)
+    left = mass @ shapes
+    own = np.diag([0.1, 0.0, 0.0])
+    by_modes = left @ np.diag(2 * np.array([0.02, 0.05, 0.05]) * np.sqrt(squares)) @ left.T
+    start = {"displacement": [1.0, -1.0, 2.0]}
+    due = ss.System(mass=mass, stiffness=stiffness, damping=own + by_modes + 0.3 * mass + 0.002 * stiffness, start=start).simulate(3).end_displacement
+    labels = ["a", "b", "c"]
+    pd = pytest.importorskip("pandas")
+    frame = pd.DataFrame(own, labels, labels).loc[["c", "a", "b"], ["c", "a", "b"]]
+    for matrix in (own, sparse.csr_array(own), sparse.coo_matrix(own), frame):
+        named = {"coordinates": labels} if matrix is frame else {}
+        table = {"matrix": matrix, "ratio": ratios, "rayleigh": [0.3, "2 ms"]}
+        of_mass = pd.DataFrame(mass, labels, labels) if matrix is frame else mass
+        found = ss.System(mass=of_mass, stiffness=stiffness, damping=table, start=start, **named)
+        np.testing.assert_allclose(found.simulate(3).end_displacement, due, rtol=1e-11)
+    made = ss.System(mass=mass, stiffness=stiffness, damping=own, start=start).damping(ratio=ratios).damping(rayleigh=[0.3, 0.002])
+    np.testing.assert_allclose(made.simulate(3).end_displacement, due, rtol=1e-11)
+    io.mmwrite(tmp_path / "k.mtx", sparse.coo_array(stiffness))
+    filed = ss.System(mass=mass, stiffness="k.mtx", damping={"matrix": own, "ratio": ratios, "rayleigh": [0.3, 0.002]}, start=start, folder=tmp_path)
+    np.testing.assert_allclose(filed.simulate(3).end_displacement, due, rtol=1e-11)
+    bodies = by_names(damping={"ratio": "2 %"})
+    assert bodies.simulate(2) == by_names().damping(ratio=0.02).simulate(2) != by_names().simulate(2)
+    for wrong, why in (({"ratio": -1}, "damping.ratio -1: must be ≥ 0"), ({}, "damping: needs one of rayleigh and ratio"), ({"ratios": 1}, "Did you mean ratio")):
+        with pytest.raises(ss.Error, match=why):
+            by_names(damping=wrong)
+    np.savez(tmp_path / "k.npz", K=stiffness)
+    with pytest.raises(ss.Error, match="stiffness: k.npz: must be a file .mtx here"):
+        ss.System(mass=mass, stiffness="k.npz", folder=tmp_path)
+
+
 def test_two_modes_couple_over_a_belt():
     pad = {"type": "contact", "direction": [1, 0], "friction": 0.84, "belt": 5}
     pad["normal"] = {"const": 1, "displacement": [0, -3]}

@@ -60,7 +60,11 @@ class System:
     mass, damping, stiffness : matrix
         In place of bodies: matrices in ``units``, or without them in any consistent ones, with ``elements`` and ``harmonics`` as dicts, ``constant``,
         ``record`` and ``start``. Without units, frequencies are per unit of time. Frames of pandas and data arrays of xarray are put in the
-        order of the labels of the first, and a series of constant forces, too; sparse matrices of SciPy are taken as they are.
+        order of the labels of the first, and a series of constant forces, too; sparse matrices of SciPy are taken as they are. A matrix may be the
+        name of a file of Matrix Market (``.mtx``).
+    damping : dict
+        Of bodies, too: damping by the modes of the structure without contacts, beside its dampers. ``ratio``, such as ``"2 %"``, of each elastic mode, or
+        a list by mode whose last one holds for all further modes; ``rayleigh``, the numbers a and b of a M + b K; and of matrices ``matrix``.
     coordinates : list of str
         The names of the coordinates of matrices: by default the labels of the first, or q1, q2 and so on.
     folder : path
@@ -106,7 +110,7 @@ class System:
         levels: Optional[Sequence[Mapping[str, Any]]] = None,
         units: Optional[str] = None,
         mass: Optional[ArrayLike] = None,
-        damping: Optional[ArrayLike] = None,
+        damping: Optional[Union[ArrayLike, Mapping[str, Any]]] = None,
         stiffness: Optional[ArrayLike] = None,
         coordinates: Optional[Sequence[str]] = None,
         elements: Optional[Sequence[Mapping[str, Any]]] = None,
@@ -185,8 +189,9 @@ class System:
         (text, name, folder, units), changes = self._made
         value = json.loads(text if text.lstrip().startswith("{") else _native.NativeSystem(text, name, folder, units).value())
         added = {key: _plain(f"{field}.{key}", own) for key, own in {**added, **others}.items() if own is not None}
-        if field in ("masses", "base"):
-            value[field] = {**value.get(field, {}), **added}
+        if field in ("masses", "base", "damping"):
+            own = value.get(field, {})
+            value[field] = {**({"matrix": own} if isinstance(own, (list, str)) else own), **added}
         else:
             place = f"{field}[{len(value.setdefault(field, [])) + 1}]"
             plain = {_path(f"{place}.{key}").removeprefix(f"{place}."): own for key, own in added.items()}
@@ -277,6 +282,16 @@ class System:
     def base(self, **motion: Any) -> "System":
         """This system on a base that moves: ``acceleration``, ``velocity`` or ``displacement``, as in the file."""
         return self._with("base", motion)
+
+    def damping(self, *, ratio: Any = None, rayleigh: Optional[Sequence[Quantity]] = None) -> "System":
+        """This system with damping by modes: the damping ratio of each elastic mode, or of one after the other, and Rayleigh's a and b.
+
+        >>> import stickslip as ss
+        >>> one = ss.System(units="N,m").mass("block", 4, start=1).spring("ground", "block", 100).damping(ratio="25 %")
+        >>> one.simulate(1).end_displacement.round(6).tolist()
+        [-0.036551]
+        """
+        return self._with("damping", {"ratio": ratio, "rayleigh": rayleigh})
 
     def level(self, on: Optional[str] = None, *, between: Optional[Sequence[str]] = None, **others: Any) -> "System":
         """This system with a value whose passage is an event: ``displacement`` or ``velocity`` of a body, or between two."""
@@ -584,6 +599,9 @@ def _aligned(given: dict[str, Any]) -> None:
     """Puts labelled matrices and constant forces in the order of the labels of the first, which name the coordinates, and makes sparse ones
     dense."""
     first: Optional[tuple[str, Any]] = None
+    table = given["damping"]
+    if isinstance(table, Mapping):
+        given["damping"] = table.get("matrix")
     for name in ("mass", "damping", "stiffness", "constant"):
         matrix = given[name]
         if hasattr(matrix, "toarray"):
@@ -602,6 +620,8 @@ def _aligned(given: dict[str, Any]) -> None:
             raise Error(f"{name}: its {'values' if name == 'constant' else 'rows and columns'} must have the labels of {of}")
         order = list(labels)
         given[name] = (frame.loc[order] if name == "constant" else frame.loc[order, order]).to_numpy()
+    if isinstance(table, Mapping):
+        given["damping"] = {**table, **({} if given["damping"] is None else {"matrix": given["damping"]})}
     if first is not None and given["coordinates"] is None:
         given["coordinates"] = [str(label) for label in first[1]]
 
