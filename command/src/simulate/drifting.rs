@@ -1,7 +1,7 @@
 //! A body without a spring that a constant force, or friction by direction, moves on: the motion of a system of this one body, in the rows of
 //! any other.
 
-use super::{Extent, Spacing, at_phase};
+use super::extent::{Extent, Spacing, at_phase};
 use crate::args::SimulateArgs;
 use crate::drifting::{check, one_body};
 use crate::failure::{Failure, Outcome};
