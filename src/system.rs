@@ -22,7 +22,7 @@
 //! # Where is what
 //!
 //! `model.rs` is the description as it is given, `build.rs` builds it by the names of its bodies, `damping.rs` adds damping by modes, `assembly.rs` checks it and builds rows over the state,
-//! `branch.rs` has the linear equation between two events and the proof of the certificate, `split.rs` the steps that its fast modes (`spectrum.rs`, `waves.rs`) do not shorten, `timeline.rs` has the samples of records in time, `first_passage.rs` the search for a
+//! `branch.rs` has the linear equation between two events and the proof of the certificate, `guard.rs` what ends it, `split.rs` the steps that its fast modes (`spectrum.rs`, `waves.rs`) do not shorten, `timeline.rs` has the samples of records in time, `first_passage.rs` the search for a
 //! guard's first zero, `next_branch.rs` the choice of the next branch, `dependent.rs` what contacts with dependent directions
 //! can hold, `blow.rs` what happens at stops with a restitution, `under.rs` the friction under their force, `massless.rs` and `tie.rs` what has no mass, `follow.rs` the motion from event to event, `follow/choose.rs` the choice of its branch, `events.rs` what watches it, `levels.rs` the passages of values, `mapped.rs` answers with other numbers in them, `precision.rs` thresholds that follow the precision,
 //! `spring.rs` the springs with laws, `grid.rs` many systems on all cores, `motion.rs` its answers, `steady.rs` the long run, `self_excited.rs` that without a load, `sliding.rs` the stability of steady sliding, and `border.rs` the closed form for one contact.
@@ -46,6 +46,7 @@ mod following;
 mod forced;
 #[cfg(feature = "rayon")]
 mod grid;
+mod guard;
 mod joints;
 mod kept;
 mod levels;

@@ -19,9 +19,10 @@
 //! polynomial is divided by the time.
 
 use super::assembly::{Assembly, Part, Rule};
-use super::branch::{Branch, Guard, Trigger};
+use super::branch::Branch;
 use super::dependent::least;
 use super::first_passage::{first_passage, shorten, value_and_slope};
+use super::guard::{Guard, Trigger};
 use super::matrix::{add_times, dot, size_of_dot};
 use super::mode::{Mode, places};
 use super::precision::small;

@@ -4,8 +4,9 @@ mod choose;
 
 use super::assembly::{Assembly, Part, Rule};
 use super::blow::{Blows, Strike};
-use super::branch::{Branch, LOW_COUNT, Trigger};
+use super::branch::{Branch, LOW_COUNT};
 use super::branches::Branches;
+use super::guard::Trigger;
 use super::error::Error;
 use super::events::{Event, EventKind, Stretch, Watch};
 use super::first_passage::{first_passage, shorten};

@@ -151,7 +151,7 @@ fn goes_on<F: Float>(system: &Assembly<F>, branch: &Branch<F>, z: &[F], open: &[
     };
     let of_open = |element: &usize| open.contains(element);
     let guards = branch.guards.iter().filter(|guard| of_open(&guard.element));
-    let lasts = |guard: &super::branch::Guard<F>| {
+    let lasts = |guard: &super::guard::Guard<F>| {
         let error = dot(&guard.error, sizes.first().map_or(&[][..], Vec::as_slice)) * F::int(16);
         first(&guard.row, error) != Some(false)
     };

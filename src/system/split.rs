@@ -14,9 +14,9 @@
 //! order in B, R and S, which are below 2⁻¹⁶. What `(I − v ℓ) A′ (I − v ℓ)` takes out of the rounding of A′ is added to D. It is one more row of numbers for each guard.
 
 use super::assembly::Assembly;
-use super::branch::{Guard, Series, columns_of, degree_over, series};
 use super::equation::fastest;
 use super::first_passage::{bernstein, integer};
+use super::guard::{Guard, Series, columns_of, degree_over, series};
 use super::matrix::{Matrix, Sparse, add_times, at, dot, entries};
 use super::propagator::{Bound, exponential};
 use super::spectrum::{Mode, Spectrum};

@@ -3,10 +3,11 @@
 //! nalgebra-sparse reads Matrix Market, too, but into doubles alone, where `--bits` takes decimals as they are typed, and with a parser
 //! generator.
 
+mod entry;
 #[cfg(feature = "npz")]
 mod numpy;
 
-use super::described::MOST_COORDINATES;
+use self::entry::{Entry, Take, check_size, square};
 use super::node::{Fields, Node, Number};
 use crate::text::{open_regular, printable};
 use serde_json::Value;
@@ -15,16 +16,6 @@ use std::path::Path;
 
 /// The greatest length of a file with a matrix.
 const LONGEST: u64 = 1 << 27;
-
-/// An entry of a matrix, as it is stored.
-enum Entry<'a> {
-    Text(&'a str),
-    #[cfg(feature = "npz")]
-    Number(f64),
-}
-
-/// What takes the size of a matrix, and its entries with their row and column from 0.
-type Take<'t> = &'t mut dyn FnMut(usize, usize, usize, &Entry<'_>) -> Result<(), String>;
 
 /// A square matrix: rows of numbers, the name of a file, or a table of `file` and `array`. Its size is given, or its own.
 pub(super) fn matrix<F: Number>(
@@ -126,24 +117,6 @@ fn of_numpy(
     _: Take<'_>,
 ) -> Result<usize, String> {
     Err("must be a file .mtx here: the command reads .npy and .npz, and in Python NumPy does".to_owned())
-}
-
-/// A number of rows that may be.
-fn check_size(rows: usize) -> Result<(), String> {
-    if rows == 0 || rows > MOST_COORDINATES {
-        return Err(format!("has {rows} rows, must be ≥ 1 and ≤ {MOST_COORDINATES}"));
-    }
-    Ok(())
-}
-
-/// The size of a matrix with these rows and columns.
-fn square(rows: usize, columns: usize, size: Option<usize>) -> Result<usize, String> {
-    check_size(rows)?;
-    let due = size.unwrap_or(rows);
-    if (rows, columns) != (due, due) {
-        return Err(format!("has {rows} rows and {columns} columns, must have {due} of both"));
-    }
-    Ok(rows)
 }
 
 /// What is not stored of a matrix.

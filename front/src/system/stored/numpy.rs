@@ -3,7 +3,8 @@
 //! The crates npyz and ndarray-npy read the header with a parser generator, and an archive with encryption and codecs in C that NumPy never
 //! writes; the archive here is the crate zip's, with deflate alone.
 
-use super::{Entry, Take, square};
+use super::entry::{Entry, Take, square};
+use crate::system::described::MOST_COORDINATES;
 use crate::system::node::nearest;
 use std::fs::File;
 use std::io::{Read, Seek};
@@ -21,7 +22,7 @@ struct Array {
 }
 
 /// The most items of an array: those of the largest matrix.
-const MOST: usize = super::MOST_COORDINATES * super::MOST_COORDINATES;
+const MOST: usize = MOST_COORDINATES * MOST_COORDINATES;
 
 /// What a field of the header's dictionary has behind its name.
 fn value<'h>(header: &'h str, name: &str) -> Option<&'h str> {
