@@ -188,7 +188,7 @@ def test_damping_is_given_by_modes(tmp_path):
     np.testing.assert_allclose(filed.simulate(3).end_displacement, due, rtol=1e-11)
     bodies = by_names(damping={"ratio": "2 %"})
     assert bodies.simulate(2) == by_names().damping(ratio=0.02).simulate(2) != by_names().simulate(2)
-    for wrong, why in (({"ratio": -1}, "damping.ratio -1: must be ≥ 0"), ({}, "damping: needs one of rayleigh and ratio"), ({"ratios": 1}, "Did you mean ratio")):
+    for wrong, why in (({"ratio": -1}, "damping.ratio -1: must be (≥|>=) 0"), ({}, "damping: needs one of rayleigh and ratio"), ({"ratios": 1}, "Did you mean ratio")):
         with pytest.raises(ss.Error, match=why):
             by_names(damping=wrong)
     np.savez(tmp_path / "k.npz", K=stiffness)
