@@ -269,7 +269,7 @@ impl<F: Float> Split<F> {
         // I + |v||ℓ|.
         let mut spread = Matrix::identity(n);
         shapes.iter().zip(&rows).for_each(|(shape, row)| add_sizes(&mut spread, shape, row));
-        if shapes.iter().zip(&rows).any(|(shape, row)| !(dot(shape, row) <= F::exp2i(12))) {
+        if !shapes.iter().zip(&rows).all(|(shape, row)| dot(shape, row) <= F::exp2i(12)) {
             return None;
         }
         let rounding = F::epsilon() * integer(2 * n + 8);
@@ -291,7 +291,8 @@ impl<F: Float> Split<F> {
                     off = off + size(turned);
                 }
                 off = off + dot(row, size_of_other) * rounding;
-                if !(off * (size(mode.rate) * step + F::int(1)) <= F::exp2i(-16)) {
+                let is_small = off * (size(mode.rate) * step + F::int(1)) <= F::exp2i(-16);
+                if !is_small {
                     return None;
                 }
                 add_times(&mut doubt, off, rows.get(k)?);
