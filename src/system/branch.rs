@@ -143,27 +143,25 @@ impl<F: Float> Branch<F> {
         guards.iter_mut().for_each(|guard| tie.iter().for_each(|tie| tie.substitute(&mut guard.row)));
         let mut low = Vec::with_capacity(guards.len());
         let mut all = Vec::with_capacity(guards.len());
-        for guard in &mut guards {
+        // A speed that is kept at a corner of the law, as between two belts, has the corner's rounding. The law is
+        // continuous there.
+        let rounding_of_corner = |guard: &Guard<F>| {
+            corner(system, modes, guard).map_or(F::int(0), |corner| corner * F::epsilon() * F::int(64))
+        };
+        let corners: Vec<F> = guards.iter().map(rounding_of_corner).collect();
+        for (guard, &corner) in guards.iter_mut().zip(&corners) {
             let terms = powers.terms(&guard.row, degree + 1);
             let rounding = powers.rounding(&guard.row);
             guard.error = powers.error_of(&rounding, &terms, degree + 1);
             low.push(powers.error_of(&rounding, &terms, LOW_DEGREE + 1));
-            // A speed that is kept at a corner of the law, as between two belts, has the corner's rounding. The law is
-            // continuous there.
-            if let (Some(corner), Some(last)) = (corner(system, modes, guard), guard.error.last_mut()) {
-                *last = *last + corner * F::epsilon() * F::int(64);
+            if let Some(last) = guard.error.last_mut() {
+                *last = *last + corner;
             }
             guard.taylor = columns_of(&terms, system.size, degree + 1);
             all.push(terms);
         }
-        let roundings: Vec<(&Guard<F>, F)> = guards
-            .iter()
-            .map(|guard| {
-                let corner = corner(system, modes, guard).unwrap_or(F::int(0));
-                (guard, corner * F::epsilon() * F::int(64))
-            })
-            .collect();
         let splits = if system.splits {
+            let roundings: Vec<_> = guards.iter().zip(corners).collect();
             Split::all(system, &a, &roundings, step, longest, degree)
         } else {
             Vec::new()

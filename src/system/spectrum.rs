@@ -117,7 +117,6 @@ impl Spectrum {
             dual += by;
             dual = (&dual * &right).try_inverse()? * dual;
         }
-        let is_real = |rate: Complex<f64>| rate.im.abs() <= rate.norm() * f64::EPSILON * 4096.0;
         let images = &self.matrix * &right;
         let modes = found.into_iter().map(|j| {
             let (v, row) = (right.column(j), dual.row(j));
