@@ -2,6 +2,7 @@
 
 mod drifting;
 mod extent;
+mod rows;
 mod shaped;
 
 use crate::args::{Header, ShapeArg, SimulateArgs, StreamFormat};
@@ -10,7 +11,6 @@ use crate::failure::Outcome;
 use crate::input;
 use crate::interrupt;
 use crate::output::PendingFile;
-use crate::outputs::{DURATION, ENDS_BY, FRICTION, KIND, R, START_CYCLE, START_PHASE, START_V, START_X, key};
 use crate::physical::Physical;
 use crate::progress;
 use crate::row::{Cell, Cells, Row};
@@ -22,7 +22,7 @@ use indicatif::ProgressDrawTarget;
 use std::io::{IsTerminal, Write, stdout};
 use stickslip::Error;
 use stickslip::motion::{DrivePhase, End, Instant, Kind, Segment, Trajectory};
-use stickslip_front::inputs::units::{Kind as Quantity, System};
+use stickslip_front::inputs::units::System;
 use stickslip_front::inputs::{Driven, Given, Input};
 
 pub(crate) fn run(args: &SimulateArgs, out: &mut impl Write) -> Outcome {
@@ -167,31 +167,23 @@ fn of_phase<F: Value>(
         End::Never => "never",
     };
     let (start, end) = (phase.start(), phase.end());
-    let (start_cycle, start_phase) = when(start.phase);
-    let (end_cycle, end_phase) = end.map_or((Cell::Count(None), Cell::Number(None)), |e| when(e.phase));
-    let number = |x: F| Cell::Number(Some(x));
-    let fields = vec![
-        (KIND, Cell::Text(kind)),
-        (ENDS_BY, Cell::Text(ends_by)),
-        (START_CYCLE, start_cycle),
-        (START_PHASE, start_phase),
-        (key!("end_cycle"), end_cycle),
-        (key!("end_phase"), end_phase),
-        (DURATION, Cell::Number(phase.duration())),
-        (START_X, number(start.x)),
-        (START_V, number(start.v)),
-        (key!("end_x"), Cell::Number(end.map(|e| e.x))),
-    ];
+    let end_when = end.map_or((Cell::Count(None), Cell::Number(None)), |e| when(e.phase));
+    let fields = rows::segment(
+        kind,
+        ends_by,
+        [when(start.phase), end_when],
+        [phase.duration(), Some(start.x), Some(start.v), end.map(|e| e.x)],
+    );
     let physical = machine.map_or_else(Physical::default, |machine| {
         let scales = &machine.scales;
-        Physical::beside(
+        let time = |phase| time(phase, origin, machine);
+        rows::segment_in_units(
             system,
-            vec![
-                ("start_time", Quantity::Time, number(time(start.phase, origin, machine))),
-                ("end_time", Quantity::Time, Cell::Number(end.map(|e| time(e.phase, origin, machine)))),
-                ("start_displacement", Quantity::Length, number(start.x * scales.length)),
-                ("start_velocity", Quantity::Velocity, number(start.v * scales.velocity)),
-                ("end_displacement", Quantity::Length, Cell::Number(end.map(|e| e.x * scales.length))),
+            [Some(time(start.phase)), end.map(|e| time(e.phase))],
+            [
+                Some(start.x * scales.length),
+                Some(start.v * scales.velocity),
+                end.map(|e| e.x * scales.length),
             ],
         )
     });
@@ -205,29 +197,20 @@ fn of_instant<F: Value>(
     machine: Option<&Driven<F>>,
 ) -> Row {
     let state = instant.state;
-    let (cycle, phase) = when(state.phase);
-    let number = |x: F| Cell::Number(Some(x));
-    let fields = vec![
-        (key!("cycle"), cycle),
-        (key!("phase"), phase),
-        (key!("x"), number(state.x)),
-        (key!("v"), number(state.v)),
-        (FRICTION, number(instant.friction)),
-        (R, number(instant.friction + instant.state.x)),
-    ];
+    let friction = instant.friction;
+    let fields = rows::sample(when(state.phase), [state.x, state.v, friction, friction + state.x].map(Some));
     let physical = machine.map_or_else(Physical::default, |machine| {
         let scales = &machine.scales;
-        let friction = instant.friction * scales.force + scales.mean_friction;
         let acceleration = scales.velocity / scales.time;
-        Physical::beside(
+        rows::sample_in_units(
             system,
-            vec![
-                ("time", Quantity::Time, number(time(state.phase, origin, machine))),
-                ("displacement", Quantity::Length, number(state.x * scales.length)),
-                ("velocity", Quantity::Velocity, number(state.v * scales.velocity)),
-                ("acceleration", Quantity::Acceleration, number(instant.acceleration * acceleration)),
-                ("friction_force", Quantity::Force, number(friction)),
+            [
+                time(state.phase, origin, machine),
+                state.x * scales.length,
+                state.v * scales.velocity,
+                instant.acceleration * acceleration,
             ],
+            Some(friction * scales.force + scales.mean_friction),
         )
     });
     Cells::of(fields).with_physical(physical).shown()

@@ -2,19 +2,18 @@
 //! any other.
 
 use super::extent::{Extent, Spacing, at_phase};
+use super::rows::{self, When};
 use crate::args::SimulateArgs;
 use crate::drifting::{check, one_body};
 use crate::failure::{Failure, Outcome};
 use crate::input;
-use crate::outputs::{DURATION, ENDS_BY, FRICTION, KIND, R, START_CYCLE, START_PHASE, START_V, START_X, key};
-use crate::physical::Physical;
 use crate::row::{Cell, Cells, Row};
 use crate::sink::Sink;
 use std::f64::consts::TAU;
 use std::io::Write;
 use stickslip::motion;
 use stickslip::system::State;
-use stickslip_front::inputs::units::{Kind, Reader, System};
+use stickslip_front::inputs::units::{Reader, System};
 use stickslip_front::inputs::{Driven, Given};
 use stickslip_front::system::OneBody;
 
@@ -91,7 +90,6 @@ impl Drifting<'_> {
         let pairs = || bounds.iter().zip(bounds.iter().skip(1)).filter(|(from, to)| to > from);
         let times: Vec<f64> = pairs().flat_map(|(&from, &to)| [from, f64::midpoint(from, to), to]).collect();
         let states = self.one.states(&times).map_err(Failure::from)?;
-        let first = |list: &[f64]| list.first().copied().unwrap_or(f64::NAN);
         let mut segments: Vec<Segment> = Vec::new();
         for ((&from, &to), states) in pairs().zip(states.chunks_exact(3)) {
             let [begin, middle, end] = states else { continue };
@@ -129,7 +127,7 @@ impl Drifting<'_> {
     }
 
     /// The whole cycles and the phase of so many turns after the start.
-    fn when(&self, (whole, part): (u64, f64)) -> (Cell<f64>, Cell<f64>) {
+    fn when(&self, (whole, part): (u64, f64)) -> When<f64> {
         let phase = TAU * part + self.phase;
         let over = phase >= TAU;
         let cycles = whole.saturating_add(u64::from(over));
@@ -137,42 +135,22 @@ impl Drifting<'_> {
     }
 
     fn row(&self, segment: &Segment) -> Row {
-        let number = |x: f64| Cell::Number(Some(x));
-        let none = || Cell::Number(None);
         let Segment { times: [from, to], displacements, velocity, kind, ends_by } = *segment;
         let at = |time: f64| {
             let whole = (time / self.period).floor();
             self.when((whole as u64, time / self.period - whole))
         };
-        let ((start_cycle, start_phase), (end_cycle, end_phase)) = (at(from), at(to));
-        let fields = vec![
-            (KIND, Cell::Text(kind)),
-            (ENDS_BY, Cell::Text(ends_by)),
-            (START_CYCLE, start_cycle),
-            (START_PHASE, start_phase),
-            (key!("end_cycle"), end_cycle),
-            (key!("end_phase"), end_phase),
-            (DURATION, number((to - from) / self.period * TAU)),
-            (START_X, none()),
-            (START_V, none()),
-            (key!("end_x"), none()),
-        ];
-        let values = vec![
-            ("start_time", Kind::Time, number(from)),
-            ("end_time", Kind::Time, number(to)),
-            ("start_displacement", Kind::Length, number(displacements[0])),
-            ("start_velocity", Kind::Velocity, number(velocity)),
-            ("end_displacement", Kind::Length, number(displacements[1])),
-        ];
-        Cells::of(fields).with_physical(Physical::beside(self.system, values)).shown()
+        let duration = (to - from) / self.period * TAU;
+        let fields = rows::segment(kind, ends_by, [at(from), at(to)], [Some(duration), None, None, None]);
+        let [begin, end] = displacements;
+        let physical =
+            rows::segment_in_units(self.system, [from, to].map(Some), [begin, velocity, end].map(Some));
+        Cells::of(fields).with_physical(physical).shown()
     }
 
     fn sample(&self, turn: (u64, f64), time: f64, state: &State<f64>, segments: &[Segment]) -> Row {
-        let number = |x: f64| Cell::Number(Some(x));
-        let first = |list: &[f64]| list.first().copied().unwrap_or(f64::NAN);
         let (x, v, friction) = (first(&state.displacement), first(&state.velocity), first(&state.force));
         let Driven { oscillator: body, drive, scales, .. } = self.machine;
-        let (cycle, phase) = self.when(turn);
         // The segment that begins at an event, as of any other motion.
         let place = segments.partition_point(|segment| segment.times[0] <= time).saturating_sub(1);
         let acceleration = match segments.get(place) {
@@ -183,21 +161,13 @@ impl Drifting<'_> {
             _ => 0.0,
         };
         let ratio = (friction - self.one.offset) / scales.force;
-        let fields = vec![
-            (key!("cycle"), cycle),
-            (key!("phase"), phase),
-            (key!("x"), Cell::Number(None)),
-            (key!("v"), Cell::Number(None)),
-            (FRICTION, number(ratio)),
-            (R, number(ratio)),
-        ];
-        let values = vec![
-            ("time", Kind::Time, number(time)),
-            ("displacement", Kind::Length, number(x)),
-            ("velocity", Kind::Velocity, number(v)),
-            ("acceleration", Kind::Acceleration, number(acceleration)),
-            ("friction_force", Kind::Force, number(friction)),
-        ];
-        Cells::of(fields).with_physical(Physical::beside(self.system, values)).shown()
+        let fields = rows::sample(self.when(turn), [None, None, Some(ratio), Some(ratio)]);
+        let physical = rows::sample_in_units(self.system, [time, x, v, acceleration], Some(friction));
+        Cells::of(fields).with_physical(physical).shown()
     }
+}
+
+/// The entry of the only body.
+fn first(list: &[f64]) -> f64 {
+    list.first().copied().unwrap_or(f64::NAN)
 }

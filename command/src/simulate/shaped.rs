@@ -1,11 +1,11 @@
 //! A motion under a step, a ramp, a pull or no drive: segments or samples of the exact motion under a record.
 
+use super::rows;
 use crate::args::{ShapeArg, SimulateArgs};
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
 use crate::input::{behind_all, read};
 use crate::outputs::{ENDS_BY, KIND};
-use crate::physical::Physical;
 use crate::progress;
 use crate::row::{Cell, Cells, Row};
 use crate::shaken::Surface;
@@ -187,7 +187,6 @@ fn samples_of<F: Value>(
     (system, has_mass): (System, bool),
 ) -> impl Iterator<Item = Row> {
     let count = (duration * hertz * (F::int(1) + F::int(4) * F::epsilon())).floor().to_f64() as i32;
-    let number = |x: F| Cell::Number(Some(x));
     let mut states = motion.states.iter().peekable();
     (0..=count).filter_map(move |i| {
         let time = F::int(i) / hertz;
@@ -200,15 +199,10 @@ fn samples_of<F: Value>(
         while let Some(state) = states.next_if(|state| state.time == last) {
             found = state;
         }
-        let mut values = vec![
-            ("time", Kind::Time, number(last)),
-            ("displacement", Kind::Length, number(found.displacement)),
-            ("velocity", Kind::Velocity, number(found.velocity)),
-            ("acceleration", Kind::Acceleration, number(found.acceleration)),
-        ];
         // On the side of the spring's force, as under a harmonic drive.
-        values.extend(has_mass.then(|| ("friction_force", Kind::Force, number(F::int(0) - found.friction))));
-        Some(Cells::of(Vec::new()).with_physical(Physical::beside(system, values)).shown())
+        let friction = has_mass.then(|| F::int(0) - found.friction);
+        let values = [last, found.displacement, found.velocity, found.acceleration];
+        Some(Cells::of(Vec::new()).with_physical(rows::sample_in_units(system, values, friction)).shown())
     })
 }
 
@@ -218,7 +212,6 @@ fn segments_of<F: Value>(
     (duration, start): (F, [F; 2]),
     system: System,
 ) -> Vec<Row> {
-    let number = |x: F| Cell::Number(Some(x));
     let zero = F::int(0);
     // Each beginning: its time, its displacement, its velocity and its direction.
     let mut beginnings: Vec<(F, F, F, i8)> = Vec::new();
@@ -253,15 +246,9 @@ fn segments_of<F: Value>(
             (_, Some(0)) => "stop",
             (_, Some(_)) => "reversal",
         };
-        let values = vec![
-            ("start_time", Kind::Time, number(from)),
-            ("end_time", Kind::Time, number(to)),
-            ("start_displacement", Kind::Length, number(x)),
-            ("start_velocity", Kind::Velocity, number(v)),
-            ("end_displacement", Kind::Length, number(end)),
-        ];
+        let physical = rows::segment_in_units(system, [from, to].map(Some), [x, v, end].map(Some));
         let fields = vec![(KIND, Cell::Text(kind)), (ENDS_BY, Cell::Text(ends_by))];
-        Cells::of(fields).with_physical(Physical::beside(system, values)).shown()
+        Cells::of(fields).with_physical(physical).shown()
     });
     rows.collect()
 }
