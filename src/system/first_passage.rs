@@ -102,6 +102,21 @@ pub(crate) fn first_passage<F: Float>(c: &[F], error: F) -> Option<F> {
     search(c, &b, F::int(0), F::int(1), error, depth)
 }
 
+/// The zero just before the end, where p falls through zero there and is within its error at the end, but with a slope that takes it out of
+/// that within the `reach`, in lengths of the interval. Without this a sample just behind an event would be before it, by the error over the slope.
+pub(crate) fn passage_at_end<F: Float>(c: &[F], error: F, reach: F) -> Option<F> {
+    let one = F::int(1);
+    let (end, slope) = value_and_slope(c, one);
+    let falls = end < F::int(0) && slope * reach < F::int(-4) * error;
+    if !falls || c.first().is_none_or(|&first| first <= F::int(0)) {
+        return None;
+    }
+    let twice = one - F::int(2) * end / slope;
+    let before = if twice > F::int(0) { twice } else { F::int(0) };
+    let is_between = value_and_slope(c, before).0 > F::int(0);
+    is_between.then(|| newton_within(before, one, |s| value_and_slope(c, s)))
+}
+
 fn search<F: Float>(c: &[F], b: &[F], low: F, high: F, error: F, depth: u32) -> Option<F> {
     if b.iter().all(|&b| b >= -error) {
         return None;

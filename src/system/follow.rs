@@ -8,7 +8,7 @@ use super::branch::{Branch, LOW_COUNT};
 use super::branches::Branches;
 use super::error::Error;
 use super::events::{Event, EventKind, Stretch, Watch};
-use super::first_passage::{first_passage, shorten};
+use super::first_passage::{first_passage, passage_at_end, shortened};
 use super::guard::Trigger;
 use super::kept::Kept;
 use super::massless;
@@ -428,8 +428,9 @@ impl<'a, F: Float> Follower<'a, F> {
                 if !(error.is_finite() && c.iter().all(|c| c.is_finite())) {
                     return Err(Error::Unbounded { time: written(self.time()) });
                 }
-                shorten(c, error);
-                if let Some(at) = first_passage(c, error)
+                let found = first_passage(shortened(c, error), error);
+                let found = found.or_else(|| passage_at_end(c, error, branch.step / time));
+                if let Some(at) = found
                     && event.is_none_or(|(first, _)| at < first)
                 {
                     event = Some((at, number));

@@ -80,6 +80,39 @@ fn a_block_bounces_until_the_sum_of_its_flights() {
     }
 }
 
+/// A sample just behind a blow is behind it, and samples on the way put off no blow: the instants of blows by the closed form.
+#[test]
+fn samples_beside_small_blows_know_them() {
+    let (g, e, v, gap) = (9.81_f64, 0.5_f64, 3.0, 1e3);
+    let model = Model { constant: vec![g], ..body(1.0, 0.0, 0.0, vec![stop(vec![1.0], gap, e)]) };
+    let system = System::new(&model).unwrap();
+    let start = State { velocity: vec![v], ..at(vec![gap - 1.0]) };
+    let speed = (v * v + 2.0 * g).sqrt();
+    let mut time = (speed - v) / g;
+    for k in 0..30 {
+        let falls = speed * e.powi(k);
+        // So many roundings of the displacement before the blow, and behind it.
+        for roundings in [64.0, 512.0] {
+            let by = roundings * gap * f64::EPSILON / falls;
+            let flight = 2.0 * e * falls / g;
+            if by > 0.1 * flight {
+                continue;
+            }
+            let times: Vec<f64> = (-8..=8).filter(|i| *i != 0).map(|i| time + by * f64::from(i)).collect();
+            let states = system.states(&start, &times).unwrap();
+            for (state, at) in states.iter().zip(&times) {
+                let due = if *at < time { falls + g * (at - time) } else { g * (at - time) - e * falls };
+                assert!(
+                    (state.velocity[0] - due).abs() < 1e-9 * speed,
+                    "{k} {roundings}: {state:?} for {due} at {}",
+                    at - time
+                );
+            }
+        }
+        time += 2.0 * e * falls / g;
+    }
+}
+
 /// Friction R along the fall: up under g + R/m, down under g − R/m, so that each flight has e √((g − R/m)/(g + R/m)) of the velocity before.
 /// With e = 1 it ends, too.
 #[test]

@@ -158,9 +158,7 @@ fn random_systems() {
         let wide = System::new(&model::<Mp<4>>(&given))
             .and_then(|s| s.simulate(&state(&start), Float::from_f64(until)))
             .expect("it moves");
-        let kinds = |e: &stickslip::system::Event<Mp<2>>| (e.element, e.kind);
-        let seen: Vec<_> = narrow.events.iter().map(kinds).collect();
-        let expected: Vec<_> = wide.events.iter().map(|e| (e.element, e.kind)).collect();
+        let (seen, expected) = (told(&narrow), told(&wide));
         assert_eq!(seen.len(), expected.len(), "{number}: {seen:?} for {expected:?}");
         let by = difference(&narrow.end, &wide.end);
         assert!(by < 1e-20, "{number}: by {by:e}");
@@ -169,6 +167,14 @@ fn random_systems() {
     }
     println!("{events} events, {sampled} states at 128 bits");
     assert!(events > 30 && sampled > 2_000, "{events} events, {sampled} states");
+}
+
+/// The events without ever smaller blows, of which more are told with more bits.
+#[cfg(feature = "generators")]
+fn told<F: Float>(motion: &Motion<F>) -> Vec<(usize, stickslip::system::EventKind)> {
+    let small = |(before, _): (F, F)| before.to_f64() < 1e-12;
+    let events = motion.events.iter().filter(|event| !event.velocities.is_some_and(small));
+    events.map(|event| (event.element, event.kind)).collect()
 }
 
 /// The laws at samples between the events of a motion at 128 bits: how many samples there are.
