@@ -136,6 +136,8 @@ pub(crate) struct Assembly<F> {
     pub(crate) levels: Vec<Vec<F>>,
     /// Whether a sample of a record may change a velocity at once.
     pub(crate) jerks: bool,
+    /// The elements whose other side moves, and which may carry a body along.
+    pub(crate) carriers: Vec<usize>,
     /// The row of the base's acceleration at each coordinate; none without a base.
     pub(crate) base: Vec<Vec<F>>,
     /// Whether fast modes are set apart.
@@ -198,6 +200,7 @@ impl<F: Float> Assembly<F> {
             names: model.coordinates.clone(),
             levels: Vec::new(),
             jerks: false,
+            carriers: Vec::new(),
             base: Vec::new(),
             splits: true,
             keep_going: || ControlFlow::Continue(()),
@@ -238,6 +241,10 @@ impl<F: Float> Assembly<F> {
                 .iter()
                 .any(|part| assembly.is_light(part) && part.normal().is_some_and(by_records))
             || assembly.moved.iter().any(|moved| moved.velocity.as_deref().is_some_and(by_records));
+        let carries = |part: &Part<F>| part.velocity.iter().skip(2 * n).any(|x| *x != F::int(0));
+        let held = assembly.parts.iter().enumerate().filter(|(_, part)| part.may_hold() && carries(part));
+        let carriers = held.map(|(i, _)| i).collect();
+        assembly.carriers = carriers;
         let count = assembly.parts.len();
         let mut coupling = Matrix::zero(count, count);
         for (i, a) in assembly.parts.iter().enumerate() {

@@ -126,10 +126,10 @@ impl<F: Float> Blows<F> {
         if let Some(first) = c.first_mut() {
             *first = distance;
         }
-        // The rounding of the first coefficient, which is known, is none. That of the others grows with the time at least.
+        // The rounding of the first coefficient, which is known, is none. That of the others falls with the time at least.
         let all = dot(&guard.error, sizes);
         let first = size_of_dot(&guard.row, sizes) * F::epsilon() * branch.roundings(guard.row.len());
-        let error = (all - first).or_larger(all * F::epsilon() * F::int(16));
+        let error = part * (all - first).or_larger(all * F::epsilon() * F::int(16));
         Some(passage(c, error))
     }
 

@@ -12,7 +12,7 @@ use super::first_passage::{first_passage, passage_at_end, shortened};
 use super::guard::Trigger;
 use super::kept::Kept;
 use super::massless;
-use super::matrix::{Sum, absolute, add_times, clear, dot, size_of_dot};
+use super::matrix::{Sum, add_times, clear, dot, size_of_dot};
 use super::mode::{Mode, lock, slides, yields};
 use super::model::State;
 use super::precision::small;
@@ -391,8 +391,7 @@ impl<'a, F: Float> Follower<'a, F> {
     fn step(&mut self, rest: F, end: F, watch: &mut impl Watch<F>) -> Result<Vec<Fired>, Error> {
         let system = self.system;
         let Some(branch) = self.branches.current() else { return Ok(Vec::new()) };
-        self.sizes.clear();
-        self.sizes.extend(self.z.iter().map(|x| x.abs()));
+        sizes_of(system, branch, &self.z, &mut self.sizes);
         if !branch.splits.is_empty() && self.leap(rest, end, watch)? {
             return Ok(Vec::new());
         }
@@ -522,7 +521,9 @@ impl<'a, F: Float> Follower<'a, F> {
     /// The guards that are zero now: the one found, and those that rounding cannot tell from it.
     fn fired(&self, number: usize, is_forced: bool) -> Vec<Fired> {
         let Some(branch) = self.branch() else { return Vec::new() };
-        let (sizes, slopes) = (absolute(&self.z), branch.derivative(&self.z));
+        let mut sizes = Vec::new();
+        sizes_of(self.system, branch, &self.z, &mut sizes);
+        let slopes = branch.derivative(&self.z);
         let mut fired = Vec::new();
         // The one that was found is the first.
         let order = [number].into_iter().chain((0..branch.guards.len()).filter(|&i| i != number));
@@ -638,6 +639,23 @@ impl<'a, F: Float> Follower<'a, F> {
             watch.changes(row.as_deref(), reset, &from, &branch.derivative(&self.z));
         }
         Ok(())
+    }
+}
+
+/// The sizes of the state's numbers, which have their rounding. The velocity of a body that is carried along by a side that moves is that of
+/// this side, a sum whose terms may be far greater than itself: a belt that stops for an instant.
+fn sizes_of<F: Float>(system: &Assembly<F>, branch: &Branch<F>, z: &[F], sizes: &mut Vec<F>) {
+    sizes.clear();
+    sizes.extend(z.iter().map(|x| x.abs()));
+    let held = |i: &&usize| branch.modes.get(**i).is_some_and(|mode| mode.is_held());
+    for part in system.carriers.iter().filter(held).filter_map(|&i| system.parts.get(i)) {
+        let (n, inertia) = (system.n, dot(&part.direction, &part.response));
+        let drives = part.velocity.iter().zip(z).skip(2 * n);
+        let carried = drives.fold(F::int(0), |sum, (&row, &z)| sum + (row * z).abs()) / inertia;
+        if carried.is_finite() {
+            let velocities = sizes.iter_mut().skip(n);
+            velocities.zip(&part.response).for_each(|(size, share)| *size = *size + carried * share.abs());
+        }
     }
 }
 

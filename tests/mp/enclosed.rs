@@ -124,7 +124,7 @@ fn a_value_that_was_outside() {
 }
 
 proptest! {
-    #![proptest_config(cases(80))]
+    #![proptest_config(cases(40))]
 
     #[test]
     fn the_value_is_never_outside(omega in frequencies(), excess in excesses(), wide in any::<bool>()) {

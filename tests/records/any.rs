@@ -43,7 +43,7 @@ proptest! {
 
 #[cfg(feature = "mp")]
 proptest! {
-    #![proptest_config(cases(120))]
+    #![proptest_config(cases(60))]
 
     /// An enclosure contains the answers at eight times its precision, and counts the same stops.
     #[test]
