@@ -10,7 +10,7 @@
 //! Several contacts at one body share in it as forces do, by the least value of `½ Qᵀ G Q − vᵀ Q` in the box.
 
 use super::assembly::{Assembly, Rule};
-use super::dependent::least;
+use super::dependent::{least, rank};
 use super::equation::Equation;
 use super::error::Error;
 use super::matrix::{Matrix, add_times, dot, size_of_dot};
@@ -56,6 +56,20 @@ impl<F: Float> Assembly<F> {
                     i,
                     "must be across the stop that presses on it, without a contact, another stop or an entry of the mass matrix that \
                      joins both: the force of the stop would depend on the friction. Give the stop a stiffness",
+                );
+            }
+        }
+        // Such as a guide along the fall of a block: how much of a load either of them takes is not determined at rest.
+        let contacts = || self.parts.iter().filter(|part| matches!(part.rule, Rule::Contact { .. }));
+        let contacts: Vec<&[F]> = contacts().map(|part| part.direction.as_slice()).collect();
+        for (i, stop) in self.under_stops() {
+            let direction = self.parts.get(stop).map(|part| part.direction.as_slice());
+            let all: Vec<&[F]> = contacts.iter().copied().chain(direction).collect();
+            if rank(&all) == rank(&contacts) {
+                return unsupported(
+                    i,
+                    "must be under a stop whose force the motion determines, without a contact along its direction, or contacts along a sum \
+                     that has it: these share the force. Give the stop a stiffness",
                 );
             }
         }

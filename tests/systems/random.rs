@@ -238,6 +238,7 @@ mod any {
     use proptest::prelude::*;
     use proptest::test_runner::TestRunner;
     use stickslip::generators::Structure;
+    use stickslip::system::{Element, Kind, Model};
 
     pub(super) fn run() {
         let most = crate::count(150, 20_000);
@@ -245,18 +246,20 @@ mod any {
         let (events, balances, slips) = (Cell::new(0), Cell::new(0), Cell::new(0));
         let (energy, parts) = (Cell::new(0.0_f64), Cell::new(0.0_f64));
         let endless = Cell::new(0);
-        // Without a loss the flights may shrink by a hundredth each, and end in rounding before their sum is known.
-        let is_elastic = |element: &stickslip::system::Element<f64>| matches!(element.kind, stickslip::system::Kind::HardStop { restitution, .. } if restitution == 1.0);
+        // Flights without a loss may shrink by a hundredth each, and end in rounding before their sum is known. A joint without mass may stop
+        // and lock so soon after each other that rounding cannot tell which comes first.
+        let may_end = |model: &Model<f64>| {
+            let is_elastic = |element: &Element<f64>| matches!(element.kind, Kind::HardStop { restitution, .. } if restitution == 1.0);
+            let has_joint = model.mass.iter().enumerate().any(|(i, row)| row[i] == 0.0);
+            has_joint || model.elements.iter().any(is_elastic)
+        };
         let bytes = proptest::collection::vec(any::<u8>(), 300..900);
         TestRunner::new(cases(u32::try_from(most).expect("few")))
             .run(&bytes, |bytes| {
                 let structure = Structure::arbitrary(&mut Unstructured::new(&bytes)).unwrap();
                 let seen = systems::motion(&structure, samples);
                 if seen.samples == 0 {
-                    assert!(
-                        structure.model.elements.iter().any(is_elastic),
-                        "rounding cannot tell the events"
-                    );
+                    assert!(may_end(&structure.model), "rounding cannot tell the events");
                     endless.set(endless.get() + 1);
                 }
                 events.set(events.get() + seen.events);

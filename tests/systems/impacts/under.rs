@@ -261,6 +261,14 @@ fn friction_that_the_force_of_its_stop_depends_on_is_refused() {
         text(&block(1.0, vec![floor(), under(vec![1.0, 0.0], 0, 0.3, 1.0), rub(vec![1.0, 1.0], 1.0, 1.0)])),
         across
     );
+    // A guide along the fall; the stops of a play are never in touch at once.
+    let shared = "rub must be under a stop whose force the motion determines, without a contact along its direction, or contacts along a sum \
+                  that has it: these share the force. Give the stop a stiffness";
+    let play = vec![floor(), under(vec![1.0, 0.0], 0, 0.3, 1.0), stop(vec![0.0, 1.0], 0.2, 0.5)];
+    assert!(System::new(&block(1.0, play)).is_ok());
+    for other in [rub(vec![0.0, 1.0], 1.0, 1.0), rub(vec![0.0, 2.0], 0.0, 1.0)] {
+        assert_eq!(text(&block(1.0, vec![floor(), under(vec![1.0, 0.0], 0, 0.3, 1.0), other])), shared);
+    }
     let corner = vec![
         floor(),
         under(vec![1.0, 0.0], 0, 0.3, 1.0),
