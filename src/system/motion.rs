@@ -194,6 +194,14 @@ impl<F: Float> Observer<F> {
         }
     }
 
+    /// The extremes with those of a state.
+    fn see(&mut self, z: &[F]) {
+        for ((greatest, least), &x) in self.greatest.iter_mut().zip(&mut self.least).zip(z) {
+            *greatest = greatest.or_larger(x);
+            *least = if x < *least { x } else { *least };
+        }
+    }
+
     /// The extremes of q and q′ over a stretch, whose Taylor terms are known.
     fn extremes(&mut self, count: usize, to: &[F], waves: Option<&Waves<F>>) {
         // What is far below the rounding of all displacements, or velocities, is a coordinate that does not move.
@@ -486,6 +494,10 @@ impl<F: Float> Watch<F> for Observer<F> {
         stretch.taylor(&mut self.terms);
         let waves = stretch.leap.as_ref().and_then(|leap| leap.waves(from, to));
         self.sides.pass(system, stretch, &self.terms, &mut self.events);
+        // The velocity of a joint jumps where it begins to slide, and one that is prescribed by a record at its samples.
+        if system.jerks || !system.massless.is_empty() {
+            self.see(from);
+        }
         let count = self.part(system.size);
         self.extremes(count, to, waves.as_ref());
         if !system.base.is_empty() {
@@ -507,10 +519,7 @@ impl<F: Float> Watch<F> for Observer<F> {
     }
 
     fn blow(&mut self, system: &Assembly<F>, blow: &Blow<F>, to: &[F]) {
-        for ((greatest, least), &x) in self.greatest.iter_mut().zip(&mut self.least).zip(to) {
-            *greatest = greatest.or_larger(x);
-            *least = if x < *least { x } else { *least };
-        }
+        self.see(to);
         if let Some(work) = self.work.get_mut(blow.element) {
             *work = *work + blow.impulse * blow.mean;
         }

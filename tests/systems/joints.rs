@@ -3,10 +3,37 @@
 use crate::closed_form::contact;
 use crate::compared::{Origin::SmallSteps, agreed, near};
 use crate::generator::Random;
-use stickslip::system::{Beyond, Element, Harmonic, Kind, Law, Model, Normal, Record, Signal, State, System};
+use stickslip::system::{
+    Beyond, Element, Harmonic, Kind, Law, Model, Moved, MovedBy, Normal, Record, Signal, State, System,
+};
 
 fn rows(values: &[f64], n: usize) -> Vec<Vec<f64>> {
     values.chunks(n).map(<[f64]>::to_vec).collect()
+}
+
+/// A joint on the ground, whose spring of 2 is pulled by sin t, begins to slide at t = π/6 under a friction of 1, with cos π/6 at once: its greatest velocity.
+#[test]
+fn the_greatest_velocity_of_a_joint_is_where_it_begins_to_slide() {
+    let pulled = Moved {
+        coordinate: 1,
+        by: MovedBy::Displacement,
+        signal: Signal { sin: vec![1.0], ..Signal::constant(0.0) },
+    };
+    let model = Model {
+        mass: rows(&[0.0, 0.0, 0.0, 1.0], 2),
+        damping: rows(&[0.0; 4], 2),
+        stiffness: rows(&[2.0, -2.0, -2.0, 2.0], 2),
+        elements: vec![contact(vec![1.0, 0.0], 1.0, 1.0)],
+        harmonics: vec![Harmonic { frequency: 1.0, sin: vec![], cos: vec![] }],
+        moved: vec![pulled],
+        ..Model::default()
+    };
+    let start = State { velocity: vec![0.0, 1.0], ..State::rest(2) };
+    let motion = System::new(&model).unwrap().simulate(&start, 1.5).unwrap();
+    let slip = std::f64::consts::FRAC_PI_6;
+    assert!((motion.events[0].time - slip).abs() < 1e-14, "{:?}", motion.events);
+    assert!((motion.max_velocity[0] - slip.cos()).abs() < 1e-14, "{}", motion.max_velocity[0]);
+    assert!((motion.end.displacement[0] - (1.5_f64.sin() - 0.5)).abs() < 1e-14);
 }
 
 /// Springs in a row by hand: two masses with a joint between them and one between the first and the ground. The border is that of one

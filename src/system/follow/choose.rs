@@ -74,9 +74,10 @@ impl<F: Float> Follower<'_, F> {
                 Rule::Hard { depth, .. } => {
                     let deep = dot(depth, &self.z);
                     let doubt = size_of_dot(depth, &self.z) * F::epsilon() * F::int(256);
-                    // A body at its stop may be beyond it by the rounding of the others, such as at the end of another motion.
+                    // A body at its stop may be beyond it by the rounding of others, such as at the end of another motion, which may leave
+                    // far less than ε of the unit.
                     let displacements = self.z.iter().take(self.system.n);
-                    let reach = displacements.fold(F::int(0), |most, x| most.or_larger(x.abs()));
+                    let reach = displacements.fold(F::epsilon(), |most, x| most.or_larger(x.abs()));
                     if deep > doubt.or_larger(reach * F::epsilon()) {
                         return Err(self.beyond(part, deep));
                     }
