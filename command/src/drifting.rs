@@ -7,7 +7,7 @@ use crate::{input, interrupt, output};
 use std::io::Write;
 use stickslip_front::inputs::units::Reader;
 use stickslip_front::inputs::{Driven, Given, Input};
-use stickslip_front::system::{Answer, OneBody, Repeated};
+use stickslip_front::system::{Answer, OneBody};
 
 /// The inputs, if they are those of one body that drifts.
 pub(crate) fn asked(machine: &MachineArgs, reader: &Reader) -> Result<Option<Given<f64>>, Failure> {
@@ -47,28 +47,14 @@ pub(crate) fn run(args: &SteadyArgs, given: &Given<f64>, out: &mut impl Write) -
     steady_motion(&one.system, &found, None, out)
 }
 
-/// The body as a system, at a phase of its drive at the start, and the machine whose friction is the mean of both directions.
+/// [`OneBody::drifting`] from the typed start, which an interruption ends.
 pub(crate) fn one_body(
     given: &Given<f64>,
     start: &StartArgs,
     phase: f64,
     reader: &Reader,
 ) -> Result<(OneBody, Driven<f64>), Failure> {
-    let friction = given.friction()?.unwrap_or(0.0);
-    let backward = given.get(Input::FrictionBackward).unwrap_or(friction);
-    let mut symmetric = given.clone();
-    symmetric.take(Input::MeanForce);
-    symmetric.replace_friction(0.5 * friction + 0.5 * backward);
-    let machine = symmetric.driven()?;
-    let both = machine.oscillator.with_directional_friction(friction, backward);
-    both.map_err(|e| given.at_fault(&e))?;
-    let drive = &machine.drive;
-    let load = Repeated::Sine {
-        amplitude: drive.force_amplitude(&machine.oscillator),
-        frequency: drive.angular_frequency(),
-        phase,
-    };
     let start = input::start_in_units::<f64>(reader, [Input::X0, Input::V0].map(|input| start.text(input)))?;
-    let one = OneBody::new(&given.body(None)?, given.system, start, load).map_err(Failure::Input)?;
+    let (one, machine) = OneBody::drifting(given, start, phase)?;
     Ok((one.while_allowed(interrupt::keep_going), machine))
 }

@@ -65,6 +65,11 @@ function greatest(answer) {
 
 function showAnswer(answer) {
   if (isOfNow(answer)) aim = null;
+  $("curve-section").hidden = answer.is_free || Boolean(answer.drift);
+  if (answer.drift) {
+    showDrift(answer);
+    return;
+  }
   if (wanted && state.mode === "machine" && answer.machine) {
     const { omega, alpha } = wanted;
     wanted = null;
@@ -116,12 +121,24 @@ function showAnswer(answer) {
     entry(list, name, size ? readable(border.value * size.value, size.unit) : `${four(border.value)} r_y`, `${border.value} r_y`);
     if (answer.six_reversals) entry(list, "six reversals, no stop", `${answer.six_reversals.map(four).join(" to ")} r_y`, answer.six_reversals.join(" to "));
   }
-  $("curve-section").hidden = answer.is_free;
   $("bar-text").textContent = `${placeWords(answer.place)}${size ? ` · ${size}` : ""}`;
   $("map-here").textContent = isPlain || answer.is_without_spring ? "" : `The point: Ω = ${four(answer.omega)}, α = ${four(answer.alpha)}: ${placeWords(answer.place).toLowerCase()}.`;
   if ($("all").parentElement.open) showAll();
   $("command").textContent = commandLine();
   putKnob();
+}
+
+// A body without a spring that a constant force moves on: the answer of a system of this one body.
+function showDrift(answer) {
+  $("verdict").textContent = fourIn(answer.verdict);
+  $("verdict").title = answer.verdict;
+  $("notes").textContent = answer.notes.join(" ");
+  $("key").replaceChildren();
+  showMotionOf($("key"), answer.drift);
+  $("bar-text").textContent = fourIn(answer.verdict.replace(/:.*/s, ""));
+  $("map-here").textContent = "";
+  if ($("all").parentElement.open) showAll();
+  $("command").textContent = commandLine();
 }
 
 function showAll() {
@@ -154,6 +171,12 @@ $("all").parentElement.ontoggle = showAll;
 
 // The values that mean something: without friction or drive those in ratios, and the borders, do not.
 function allowed(answer) {
+  if (answer.drift) {
+    const { drift } = answer;
+    const units = { ...drift.units, period: "s", drift: drift.units.displacement };
+    const names = ["period", "drift", "mean_velocity", "min_displacement", "max_displacement", "min_velocity", "max_velocity"];
+    return { response: [], steady: names.map((name) => ({ name, value: [drift[name]].flat()[0], unit: units[name] ?? units[name.replace(/^[a-z]+_/, "")] })) };
+  }
   const isPlain = answer.is_free || answer.is_frictionless;
   const steady = answer.steady.values || [];
   if (!isPlain) return { response: answer.values, steady };

@@ -176,6 +176,12 @@ function still() {
   still.asked = asked;
   // The inputs may have changed when the answer is there.
   const ask = (kind, more, done) => slow.ask(kind, question(kind, more), (found) => still.asked === asked && done(found));
+  if (shown.answer.drift) {
+    for (const id of ["design-section", "limits-section"]) $(id).hidden = true;
+    if (record?.file) askRecord();
+    askMap();
+    return;
+  }
   // The curve whose range has the present point, with its peaks.
   ask("curve", { ...span(), resolved: true }, ({ ok }) => {
     still.resolved = ok !== undefined;

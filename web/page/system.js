@@ -226,15 +226,8 @@ Object.assign(charts, {
   systemCurve: new Chart($("two-curve"), { title: "Peak displacements over the frequency of the load", height: 260 }),
 });
 
-function showSystem(found) {
-  const { motion, samples } = found;
-  const below = found.read ? `${found.read} The pictures have ${samples.time.length} states at equal times, the extremes are those of the whole motion.` : found.border_verdict;
-  for (const [id, text] of [["system-verdict", found.verdict], ["system-border", below]]) {
-    $(id).textContent = fourIn(text);
-    $(id).title = text;
-  }
-  const list = $("system-values");
-  list.replaceChildren();
+// The ranges of the bodies, the rests, blows and works of the elements, and the drift of an answer for a system.
+function showMotionOf(list, motion) {
   const { units } = motion;
   motion.coordinates.forEach((name, i) => {
     const [low, high] = [motion.min_displacement[i], motion.max_displacement[i]];
@@ -254,13 +247,26 @@ function showSystem(found) {
     // An elastic stop of the page has no damper, and does no work in a period.
     if (element.kind !== "stop" || element.blows !== undefined) entry(list, `${element.name}: work`, readable(Math.abs(element.work) < 1e-12 * works ? 0 : element.work, units.work), `${element.work} ${units.work}`);
   }
-  const hertz = (own) => own.map((omega) => four(omega / (2 * Math.PI))).join(", ");
-  entry(list, "natural frequencies, sliding", `${hertz(found.description.natural_frequencies)} Hz`);
-  entry(list, "natural frequency with the contact stuck", `${hertz(found.description.natural_frequencies_stuck)} Hz`);
   motion.coordinates.forEach((name, i) => {
     const speed = motion.mean_velocity?.[i];
     if (speed) entry(list, `${name}: drift`, `${readable(speed, units.velocity)} in the mean`, `${speed} ${units.velocity}`);
   });
+}
+
+function showSystem(found) {
+  const { motion, samples } = found;
+  const below = found.read ? `${found.read} The pictures have ${samples.time.length} states at equal times, the extremes are those of the whole motion.` : found.border_verdict;
+  for (const [id, text] of [["system-verdict", found.verdict], ["system-border", below]]) {
+    $(id).textContent = fourIn(text);
+    $(id).title = text;
+  }
+  const list = $("system-values");
+  list.replaceChildren();
+  const { units } = motion;
+  showMotionOf(list, motion);
+  const hertz = (own) => own.map((omega) => four(omega / (2 * Math.PI))).join(", ");
+  entry(list, "natural frequencies, sliding", `${hertz(found.description.natural_frequencies)} Hz`);
+  entry(list, "natural frequency with the contact stuck", `${hertz(found.description.natural_frequencies_stuck)} Hz`);
   // Without a load a motion that begins later is the same motion: the multiplier of that is 1, and tells nothing.
   const multipliers = [...(motion.multipliers ?? [])].sort((a, b) => Math.hypot(b[0] - 1, b[1]) - Math.hypot(a[0] - 1, a[1]));
   if (!found.description.harmonics.length) multipliers.pop();

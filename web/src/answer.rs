@@ -1,19 +1,23 @@
 //! The answer at one point: the verdicts, the closed forms, the steady state, and the machine in its units.
 
 use crate::asked::{Asked, Problem};
+use crate::drift::Drifting;
 use crate::map::place;
 use serde_json::{Map, Value, json};
 use stickslip::internal::{Column, ResponseAnswer, Value as Answer, When};
 use stickslip::motion::{LongRun, SteadyAnswer};
 use stickslip::{Definition, Drive, Measure, NoStop, Response};
 use stickslip_front::inputs::units::Kind;
-use stickslip_front::inputs::{Input, Role};
+use stickslip_front::inputs::{Driven, Given, Input, Role};
 use stickslip_front::quantities;
 use stickslip_front::without::{is_of_friction, is_of_spring, needs_spring, without_friction};
 use stickslip_front::words::{self, digits};
 
 /// The answers of `stickslip response` and `stickslip steady` to the question.
 pub(crate) fn answer(asked: &Asked<'_>) -> Result<Value, String> {
+    if let Some(drifting) = Drifting::asked(asked)? {
+        return drifting.answer();
+    }
     let problem = asked.problem()?;
     let Problem { given, point, start, .. } = &problem;
     let named = |e: stickslip::Error| String::from(given.at_fault(&e));
@@ -50,9 +54,9 @@ pub(crate) fn answer(asked: &Asked<'_>) -> Result<Value, String> {
         "is_free": problem.is_free,
         "is_without_spring": problem.is_without_spring,
         "notes": notes(&problem),
-        "kinds": kinds(&problem),
+        "kinds": point.machine.as_ref().map(|machine| kinds(given, machine, problem.is_without_spring)),
         "six_reversals": NoStop::of(&point.ratios).six_reversals.map(|(low, high)| [low, high]),
-        "machine": machine(&problem),
+        "machine": point.machine.as_ref().map(|machine| of_machine(&problem.typed, machine)),
     }))
 }
 
@@ -84,10 +88,9 @@ fn notes(problem: &Problem) -> Vec<String> {
 }
 
 /// The value of each kind of input that the machine could be given by instead.
-fn kinds(Problem { given, point, is_without_spring, .. }: &Problem) -> Value {
-    let Some(machine) = &point.machine else { return Value::Null };
+pub(crate) fn kinds(given: &Given<f64>, machine: &Driven<f64>, is_without_spring: bool) -> Value {
     let system = &given.system;
-    let (body, drive) = (&machine.oscillator, &machine.drive);
+    let Driven { oscillator: body, drive, ratios, .. } = machine;
     let weight = body.mass() * system.gravity::<f64>();
     let turn = 2.0 * std::f64::consts::PI;
     // That of forward motion, as it is given beside that of backward motion.
@@ -99,10 +102,10 @@ fn kinds(Problem { given, point, is_without_spring, .. }: &Problem) -> Value {
         (Input::PendulumRadius, weight / body.stiffness()),
         (Input::Friction, friction),
         (Input::FrictionCoefficient, friction / weight),
-        (Input::DampingRatio, point.ratios.damping_ratio()),
+        (Input::DampingRatio, ratios.damping_ratio()),
         (Input::Damping, body.damping()),
-        (Input::StaticFrictionRatio, point.ratios.static_friction_ratio()),
-        (Input::StaticFriction, point.ratios.static_friction_ratio() * body.friction_bound()),
+        (Input::StaticFrictionRatio, ratios.static_friction_ratio()),
+        (Input::StaticFriction, ratios.static_friction_ratio() * body.friction_bound()),
     ];
     for input in Input::ALL.into_iter().filter(|input| *input != Input::Eccentricity) {
         let unit =
@@ -124,9 +127,7 @@ fn kinds(Problem { given, point, is_without_spring, .. }: &Problem) -> Value {
 }
 
 /// The machine in units, as the command has it.
-fn machine(problem: &Problem) -> Value {
-    let Problem { typed, point, .. } = problem;
-    let Some(machine) = &point.machine else { return Value::Null };
+pub(crate) fn of_machine(typed: &Given<f64>, machine: &Driven<f64>) -> Value {
     let rows = quantities::of_machine(typed, machine).into_iter();
     rows.map(|(own, value)| json!({"name": own.name, "value": value, "unit": typed.system.name(own.kind)}))
         .collect()

@@ -78,15 +78,7 @@ impl Asked<'_> {
         let is_without_spring = typed.is_without_spring();
         let given = typed.without_zeros()?.into_owned();
         let point = given.point()?;
-        let mut start = [0.0; 2];
-        let mut has_start = false;
-        for (place, input) in start.iter_mut().zip([Input::X0, Input::V0]) {
-            let name = input.column();
-            let Some((_, text)) = self.typed().find(|(own, _)| *own == name) else { continue };
-            let kind = if point.machine.is_some() { input.kind() } else { Kind::Ratio };
-            *place = reader.value(&name, text, kind)?;
-            has_start = true;
-        }
+        let (mut start, has_start) = self.start(&reader, point.machine.is_some())?;
         if let Some(machine) = &point.machine {
             start = [start[0] / machine.scales.length, start[1] / machine.scales.velocity];
         }
@@ -95,6 +87,19 @@ impl Asked<'_> {
             format!("{}: {e}", if is_velocity { "v0" } else { "x0" })
         })?;
         Ok(Problem { typed, given, point, start, has_start, is_frictionless, is_free, is_without_spring })
+    }
+
+    /// The displacement and the velocity of the start, in units or as ratios, and whether one of them is given.
+    pub(crate) fn start(&self, reader: &Reader, is_in_units: bool) -> Result<([f64; 2], bool), String> {
+        let mut start = [0.0; 2];
+        let mut is_given = false;
+        for (place, input) in start.iter_mut().zip([Input::X0, Input::V0]) {
+            let name = input.column();
+            let Some((_, text)) = self.typed().find(|(own, _)| *own == name) else { continue };
+            *place = reader.value(&name, text, if is_in_units { input.kind() } else { Kind::Ratio })?;
+            is_given = true;
+        }
+        Ok((start, is_given))
     }
 
     /// A number of the question.

@@ -8,6 +8,7 @@ mod answer;
 mod asked;
 mod curve;
 mod design;
+mod drift;
 mod limits;
 mod map;
 mod motion;

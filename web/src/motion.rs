@@ -1,25 +1,30 @@
 //! The motion over a cycle of its steady state, or from its start.
 
 use crate::asked::{Asked, Problem};
+use crate::drift::Drifting;
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
 use stickslip::Error;
 use stickslip::motion::{LongRun, Trajectory};
+use stickslip_front::inputs::Driven;
 use stickslip_front::inputs::units::Kind;
 
 /// The most turns of the drive that are shown.
-const MOST_TURNS: u32 = 60;
+pub(crate) const MOST_TURNS: u32 = 60;
 /// The turns of a motion from its start, where no rest ends it before.
-const FIRST_TURNS: u32 = 12;
+pub(crate) const FIRST_TURNS: u32 = 12;
 
 /// Samples of the motion, `count` in a turn of the drive: of its cycle, or with `from_start`, and where there is no
 /// cycle, from its start, to its rest.
 pub(crate) fn motion(asked: &Asked<'_>) -> Result<Value, String> {
+    if let Some(drifting) = Drifting::asked(asked)? {
+        return drifting.samples(is_from_start(asked), per_turn(asked));
+    }
     let problem = asked.problem()?;
     let Problem { given, point, start, .. } = &problem;
     let named = |e: Error| String::from(given.at_fault(&e));
     let limit = LongRun::from_start(point.ratios, *start).map_err(named)?;
-    let from_start = asked.0.get("from_start").and_then(Value::as_bool).unwrap_or(false);
+    let from_start = is_from_start(asked);
     let (begin, turns, is_steady) = match (limit.steady_state(), &limit) {
         (Some(steady), _) if !from_start => (steady.state, steady.turns_per_cycle.min(MOST_TURNS), true),
         (None, LongRun::Rest(rest)) => {
@@ -28,7 +33,7 @@ pub(crate) fn motion(asked: &Asked<'_>) -> Result<Value, String> {
         }
         _ => (*start, FIRST_TURNS, false),
     };
-    let per_turn = u32::try_from(asked.count("count", 240, 10_000)).unwrap_or(240).max(8);
+    let per_turn = per_turn(asked);
     let scales = point.machine.map(|machine| machine.scales);
     let of = |scale: fn(&stickslip::Scales<f64>) -> f64| scales.as_ref().map_or(1.0, scale);
     let (size, speed, force) = (of(|s| s.length), of(|s| s.velocity), of(|s| s.force));
@@ -55,7 +60,7 @@ pub(crate) fn motion(asked: &Asked<'_>) -> Result<Value, String> {
     };
     Ok(json!({
         "time": times, "displacement": x, "velocity": v, "friction": r, "load": loads, "rest": rests, "turns": turns,
-        "steady": is_steady, "support": support(&problem),
+        "steady": is_steady, "support": point.machine.as_ref().map(|machine| support(machine, problem.is_free)),
         "bound": if problem.is_frictionless { 0.0 } else { point.ratios.static_friction_ratio() * force },
         "units": {
             "time": unit(Kind::Time, "rad"), "displacement": unit(Kind::Length, "B"),
@@ -64,18 +69,27 @@ pub(crate) fn motion(asked: &Asked<'_>) -> Result<Value, String> {
     }))
 }
 
+/// Whether the motion is that from its start.
+fn is_from_start(asked: &Asked<'_>) -> bool {
+    asked.0.get("from_start").and_then(Value::as_bool).unwrap_or(false)
+}
+
+/// The samples in a turn of the drive.
+fn per_turn(asked: &Asked<'_>) -> u32 {
+    u32::try_from(asked.count("count", 240, 10_000)).unwrap_or(240).max(8)
+}
+
 /// The part of the support that moves, and its amplitude in the unit of displacements: the load is
 /// `p₀ sin ω_d t` where the motion is `u₀ sin (ω_d t − lead)`.
-fn support(problem: &Problem) -> Value {
-    let Some(machine) = &problem.point.machine else { return Value::Null };
+pub(crate) fn support(machine: &Driven<f64>, is_free: bool) -> Value {
     let (body, drive) = (&machine.oscillator, &machine.drive);
     let excitation = drive.excitation();
-    let force = if problem.is_free { 0.0 } else { drive.force_amplitude(body) };
+    let force = if is_free { 0.0 } else { drive.force_amplitude(body) };
     if excitation.carries_surface() {
         let size = body.mass() * drive.angular_frequency().powi(2);
         json!({ "moves": "base", "amplitude": force / size, "lead": 0.0 })
     } else if excitation.moves_foot() {
-        let amplitude = if problem.is_free { 0.0 } else { drive.amplitude() };
+        let amplitude = if is_free { 0.0 } else { drive.amplitude() };
         json!({ "moves": "foot", "amplitude": amplitude, "lead": drive.phase_lead(body) })
     } else {
         Value::Null

@@ -239,6 +239,38 @@ test("a curve is resolved where the command resolves it", (t) => {
   t.diagnostic(`${peaks} peaks and ${onsets} onsets; heights agree to ${most}`);
 });
 
+test("a body that drifts is that of the command", () => {
+  const next = random(6);
+  const between = (low, high) => Number((low * (high / low) ** next()).toPrecision(6));
+  let drifting = 0;
+  for (let i = 0; i < 12; i++) {
+    const [name, size] = [["force", `${between(6, 40)} N`], ["base_acceleration", `${between(3, 30)} m/s^2`], ["unbalance", `${between(0.1, 1)} kg*m`]][i % 3];
+    const inputs = { mass: `${between(1, 4)} kg`, stiffness: "0", friction: `${between(1, 8)} N`, [name]: size, frequency: `${between(0.5, 9)} Hz`, mean_force: `${i % 2 ? "-" : ""}${between(0.05, 0.9)} N` };
+    if (i % 4 === 1) inputs.damping = `${between(0.1, 9)} N*s/m`;
+    if (i % 4 === 2) inputs.static_friction_ratio = String(between(1.05, 1.6));
+    const options = Object.entries(inputs).map(([own, text]) => `--${own.replaceAll("_", "-")}=${text}`);
+    const where = JSON.stringify(inputs);
+    const run = (...more) => {
+      const ran = spawnSync(command, [...more, ...options], { encoding: "utf8" });
+      assert.equal(ran.status, 0, `${where}: ${ran.stderr}`);
+      return ran.stdout;
+    };
+    const found = ask({ ask: "answer", inputs });
+    assert.deepEqual(found.drift, JSON.parse(run("steady", "--format", "json")), where);
+    assert.ok(run("steady").startsWith(found.verdict), where);
+    drifting += found.drift.drift?.[0] !== 0;
+    // The motion ends where the drift says, and its load, friction and velocity balance over the cycle.
+    const motion = ask({ ask: "motion", inputs, count: 2000 });
+    if (!motion.steady) continue;
+    const [from, to] = [motion.displacement[0], motion.displacement.at(-1)];
+    assert.ok(Math.abs(to - from - found.drift.drift[0]) <= 1e-9 * (1 + Math.abs(to)), `${where}: ${to - from}`);
+    const mean = motion.friction.slice(1).reduce((sum, x) => sum + x, 0) / (motion.friction.length - 1);
+    const damper = (parseFloat(inputs.damping ?? "0") * (to - from)) / motion.time.at(-1);
+    assert.ok(Math.abs(mean + damper - parseFloat(inputs.mean_force)) < 0.01 * parseFloat(inputs.friction), `${where}: ${mean}`);
+  }
+  assert.ok(drifting > 6, String(drifting));
+});
+
 test("a body without a spring is that of the command", (t) => {
   const next = random(5);
   const between = (low, high) => Number((low * (high / low) ** next()).toPrecision(6));

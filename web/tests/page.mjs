@@ -1300,6 +1300,27 @@ test("a body without a spring has its answers, and the page says what it does no
   await closed(page);
 });
 
+test("a body without a spring under a constant force has its drift", async () => {
+  const page = await opened("#mass=300kg&stiffness=0&friction_coefficient=0.15&mean_force=29.4N&unbalance=0.04kg*m&frequency=25Hz");
+  await page.waitForFunction(() => shown.answer?.drift);
+  await quiet(page);
+  // 5.6 m in an hour, as the guide says.
+  assert.match(await verdict(page), /body drifts by 6\.222971e-5 m a period, 0\.001555743 m\/s in the mean\.$/);
+  assert.match(await page.textContent("#key"), /body: drift1\.556 mm\/s in the mean/);
+  assert.match(await page.textContent("#motion-title"), /^One cycle of the motion$/);
+  for (const id of ["curve-section", "design-section", "limits-section", "map"]) assert.ok(!(await page.isVisible(`#${id}`)), id);
+  await page.click("summary:has-text('All values')");
+  assert.match(await page.textContent("#all"), /mean velocity/);
+  // Another constant force is another drift, and none is no drift.
+  await page.fill("#in-mean_force", "-29.4N");
+  await page.waitForFunction(() => isOfNow(shown.answer) && /drifts by -/.test($("verdict").textContent));
+  await page.fill("#in-mean_force", "");
+  await page.waitForFunction(() => isOfNow(shown.answer) && !shown.answer.drift && $("curve-section").offsetHeight > 0);
+  await quiet(page);
+  assert.match(await page.textContent("#design"), /at a force of/);
+  await closed(page);
+});
+
 test("the record that was asked for stands first, and the sample brings its own machine", async () => {
   const page = await opened("#mode=machine&units=kN,m&mass=40+t&stiffness=900+kN/m&friction=1+kN&force=3+kN&frequency=1+Hz");
   const above = () => page.evaluate(() => $("record-section").getBoundingClientRect().top < $("answer").getBoundingClientRect().top);

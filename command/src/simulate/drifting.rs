@@ -56,7 +56,7 @@ pub(super) fn write(
     });
     let turns: Vec<_> = turns.collect();
     let times: Vec<f64> = turns.iter().map(|(whole, part)| (*whole as f64 + part) * period).collect();
-    let states = one.states(&times).map_err(Failure::from)?;
+    let states = one.states(&one.system.described.start, &times).map_err(Failure::from)?;
     let samples = turns.into_iter().zip(&times).zip(&states);
     samples
         .map(|((turn, time), state)| drifting.sample(turn, *time, state, &segments))
@@ -89,7 +89,7 @@ impl Drifting<'_> {
         bounds.dedup();
         let pairs = || bounds.iter().zip(bounds.iter().skip(1)).filter(|(from, to)| to > from);
         let times: Vec<f64> = pairs().flat_map(|(&from, &to)| [from, f64::midpoint(from, to), to]).collect();
-        let states = self.one.states(&times).map_err(Failure::from)?;
+        let states = self.one.states(&self.one.system.described.start, &times).map_err(Failure::from)?;
         let mut segments: Vec<Segment> = Vec::new();
         for ((&from, &to), states) in pairs().zip(states.chunks_exact(3)) {
             let [begin, middle, end] = states else { continue };

@@ -8,7 +8,8 @@ use super::described::{Described, samples};
 use super::node::Number;
 use super::signals::slopes_of;
 use super::why::Why;
-use crate::inputs::units::System as Units;
+use crate::inputs::units::{InputError, System as Units};
+use crate::inputs::{Driven, Given, Input};
 use serde_json::json;
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -112,6 +113,33 @@ impl<F: Number> OneBody<F> {
 }
 
 impl OneBody {
+    /// A body without a spring that a constant force, or friction by direction, moves on ([`Given::drifts`]), at a phase of its drive at the start, and the
+    /// machine whose friction is the mean of both directions.
+    ///
+    /// # Errors
+    /// Where an input of the machine is missing or wrong.
+    pub fn drifting(
+        given: &Given<f64>,
+        start: [f64; 2],
+        phase: f64,
+    ) -> Result<(Self, Driven<f64>), InputError> {
+        let friction = given.friction()?.unwrap_or(0.0);
+        let backward = given.get(Input::FrictionBackward).unwrap_or(friction);
+        let mut symmetric = given.clone();
+        symmetric.take(Input::MeanForce);
+        symmetric.replace_friction(0.5 * friction + 0.5 * backward);
+        let machine = symmetric.driven()?;
+        let both = machine.oscillator.with_directional_friction(friction, backward);
+        both.map_err(|e| given.at_fault(&e))?;
+        let drive = &machine.drive;
+        let load = Repeated::Sine {
+            amplitude: drive.force_amplitude(&machine.oscillator),
+            frequency: drive.angular_frequency(),
+            phase,
+        };
+        Ok((Self::new(&given.body(None)?, given.system, start, load).map_err(InputError)?, machine))
+    }
+
     /// The motion from the start until a time. Its works are those of [`OneBody::system`].
     ///
     /// # Errors
@@ -120,12 +148,12 @@ impl OneBody {
         Ok(self.system.simulate(&self.system.described.start, until)?.0)
     }
 
-    /// The states at times that increase. The force of the surface is that of its direction.
+    /// The states at times that increase, from a start. The force of the surface is that of its direction.
     ///
     /// # Errors
     /// As [`System::states`](stickslip::system::System::states).
-    pub fn states(&self, times: &[f64]) -> Result<Vec<State<f64>>, Why> {
-        let mut states = self.system.states(&self.system.described.start, times)?;
+    pub fn states(&self, start: &State<f64>, times: &[f64]) -> Result<Vec<State<f64>>, Why> {
+        let mut states = self.system.states(start, times)?;
         for force in states.iter_mut().flat_map(|state| &mut state.force) {
             *force += self.offset;
         }
