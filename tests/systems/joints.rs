@@ -29,11 +29,11 @@ fn the_greatest_velocity_of_a_joint_is_where_it_begins_to_slide() {
         ..Model::default()
     };
     let start = State { velocity: vec![0.0, 1.0], ..State::rest(2) };
-    let motion = System::new(&model).unwrap().simulate(&start, 1.5).unwrap();
+    let motion = System::new(&model).unwrap().simulate(&start, 0.7).unwrap();
     let slip = std::f64::consts::FRAC_PI_6;
     assert!((motion.events[0].time - slip).abs() < 1e-14, "{:?}", motion.events);
     assert!((motion.max_velocity[0] - slip.cos()).abs() < 1e-14, "{}", motion.max_velocity[0]);
-    assert!((motion.end.displacement[0] - (1.5_f64.sin() - 0.5)).abs() < 1e-14);
+    assert!((motion.end.displacement[0] - (0.7_f64.sin() - 0.5)).abs() < 1e-14);
 }
 
 /// Springs in a row by hand: two masses with a joint between them and one between the first and the ground. The border is that of one
