@@ -269,9 +269,18 @@ fn the_bound_of_a_steady_motion_is_kept() {
         };
         let (period, of_loads) = (steady.period, std::f64::consts::TAU / frequency);
         assert!((period / of_loads - 1.0).abs() < 1e-12, "{number}\n{file}");
-        let (settled, _) = machine(vec![0.0, 0.0]).follow(300.0 * of_loads);
-        let (again, events) = machine(settled.clone()).follow(of_loads);
-        let apart = settled.iter().zip(&again).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        let apart = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        // A machine with little damping takes more periods.
+        let mut settled = vec![0.0, 0.0];
+        let (mut again, mut events) = machine(settled.clone()).follow(of_loads);
+        for _ in 0..12 {
+            settled = machine(settled).follow(300.0 * of_loads).0;
+            (again, events) = machine(settled.clone()).follow(of_loads);
+            if apart(&settled, &again) < 1e-9 {
+                break;
+            }
+        }
+        let apart = apart(&settled, &again);
         assert!(apart < 1e-9, "{number}: {apart:e}\n{file}");
         // The velocity is zero at the extremes.
         let turns = events.iter().filter(|event| event.1 != "slip");
