@@ -38,7 +38,7 @@ pub mod record;
 mod samples;
 pub(crate) mod slide;
 pub(crate) mod state;
-mod trajectory;
+pub(crate) mod trajectory;
 
 pub use drive_phase::DrivePhase;
 pub use free::FreeDecay;

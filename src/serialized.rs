@@ -24,7 +24,8 @@ pub(crate) use inputs::{
     BodyFields, DriveFields, DrivePhaseFields, OscillatorFields, RatiosFields, RecordFields, StateFields,
 };
 pub(crate) use results::{
-    CycleFields, Followed, FreeDecayFields, ResponseFields, SteadyFields, infinite, unbounded,
+    CycleFields, Followed, FreeDecayFields, ResponseFields, SegmentFields, SteadyFields, Within, infinite,
+    unbounded,
 };
 
 /// Serialises as the text that `Display` prints.
@@ -77,15 +78,16 @@ impl<F: Float + Serialize> Serialize for Record<F> {
     }
 }
 
-/// The kind, the event that ends it, the states at both ends, and the duration.
+/// The kind, the event that ends it, the states at both ends, the duration, and under `within` the rest that is needed to read it back.
 impl<F: Float + Serialize> Serialize for Segment<F> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        in_map(serializer, Some(5), |map| {
+        in_map(serializer, Some(6), |map| {
             map.serialize_entry("kind", &self.kind)?;
             map.serialize_entry("ends_by", &self.ends_by)?;
             map.serialize_entry("start", &self.start())?;
             map.serialize_entry("end", &self.end())?;
-            map.serialize_entry("duration", &self.duration())
+            map.serialize_entry("duration", &self.duration())?;
+            map.serialize_entry("within", &Within::from(self))
         })
     }
 }

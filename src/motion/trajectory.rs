@@ -63,6 +63,14 @@ pub(crate) enum Body<F> {
 
 /// One segment of the motion, from one change of its kind or direction to the next, exact at every instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::serialized::SegmentFields<F>",
+        bound(deserialize = "F: Float + serde::Deserialize<'de>")
+    )
+)]
 #[non_exhaustive]
 #[must_use]
 pub struct Segment<F> {

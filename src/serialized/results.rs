@@ -5,12 +5,16 @@ use super::inputs::{Unread, absent, one, zero};
 use crate::cycle::regime::Regime;
 use crate::float::Float;
 use crate::machine::error::Error;
-use crate::motion::FreeDecay;
 use crate::motion::drive_phase::DrivePhase;
+use crate::motion::event::velocity_zero::VelocityZero;
 use crate::motion::limit::measures::Extreme;
 use crate::motion::limit::steady::SteadyState;
 use crate::motion::slide::equation::Equation;
+use crate::motion::slide::stick::Stick;
+use crate::motion::slide::{Direction, Slide};
 use crate::motion::state::{PhasePoint, State};
+use crate::motion::trajectory::{Body, resolved};
+use crate::motion::{End, FreeDecay, Kind, Segment};
 use crate::{Border, Cycle, Excitation, Ratios, Response};
 use serde::{Deserialize, Serialize};
 
@@ -161,6 +165,101 @@ impl<F: Float> From<SteadyFields<F>> for SteadyState<F> {
             equation: Equation::new(ratios),
             start,
         }
+    }
+}
+
+/// What the ends of a segment leave out of it, in natural time.
+#[derive(Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[serde(bound(serialize = "F: Float + Serialize", deserialize = "F: Float + Deserialize<'de>"))]
+pub(crate) enum Within<F> {
+    Slide(Ratios<F>, OfSlide<F>),
+    /// With the direction of the release.
+    Stick(Ratios<F>, Option<Kind>),
+}
+
+/// The velocity and the acceleration at the start of a slide, its duration, and what is known of its end.
+#[derive(Serialize, Deserialize)]
+#[serde(bound(serialize = "F: Float + Serialize", deserialize = "F: Float + Deserialize<'de>"))]
+pub(crate) struct OfSlide<F> {
+    velocity: F,
+    acceleration: F,
+    duration: F,
+    end_acceleration: F,
+    end_jerk: F,
+    end_rotation: (F, F),
+    grazes: bool,
+}
+
+impl<F: Float> From<&Segment<F>> for Within<F> {
+    fn from(segment: &Segment<F>) -> Self {
+        match &segment.body {
+            Body::Slide(slide, zero) => {
+                let of_slide = OfSlide {
+                    velocity: slide.w,
+                    acceleration: slide.acceleration,
+                    duration: zero.phi,
+                    end_acceleration: zero.acceleration,
+                    end_jerk: zero.jerk,
+                    end_rotation: zero.rotation,
+                    grazes: zero.grazes,
+                };
+                Self::Slide(slide.equation.ratios(), of_slide)
+            }
+            Body::Stick(stick) => {
+                let released = stick.release.map(|(_, direction)| direction.into());
+                Self::Stick(stick.equation.ratios(), released)
+            }
+        }
+    }
+}
+
+/// A segment by its ends, and what they leave out.
+#[derive(Deserialize)]
+#[serde(bound(deserialize = "F: Float + Deserialize<'de>"))]
+pub(crate) struct SegmentFields<F> {
+    kind: Kind,
+    ends_by: End,
+    start: State<F>,
+    end: Option<State<F>>,
+    within: Within<F>,
+}
+
+impl<F: Float> TryFrom<SegmentFields<F>> for Segment<F> {
+    type Error = Unread;
+
+    fn try_from(
+        SegmentFields { kind, ends_by, start, end, within }: SegmentFields<F>,
+    ) -> Result<Self, Unread> {
+        let direction = |kind| match kind {
+            Kind::SlideForward => Some(Direction::Forward),
+            Kind::SlideBackward => Some(Direction::Backward),
+            Kind::Stick => None,
+        };
+        let State { phase, x, .. } = start;
+        let body = match (direction(kind), end, within) {
+            (Some(direction), Some(end), Within::Slide(ratios, of_slide)) => {
+                let equation = Equation::new(resolved(ratios)?);
+                let mut slide = Slide::new(equation, phase, x, of_slide.velocity, direction);
+                slide.acceleration = of_slide.acceleration;
+                let zero = VelocityZero {
+                    phi: of_slide.duration,
+                    phase: end.phase,
+                    x: end.x,
+                    acceleration: of_slide.end_acceleration,
+                    jerk: of_slide.end_jerk,
+                    rotation: of_slide.end_rotation,
+                    grazes: of_slide.grazes,
+                };
+                Body::Slide(slide, zero)
+            }
+            (None, end, Within::Stick(ratios, released)) => {
+                let release = end.map(|end| end.phase).zip(released.and_then(direction));
+                Body::Stick(Stick { equation: Equation::new(resolved(ratios)?), start: phase, x, release })
+            }
+            _ => return Err(Unread::of("a segment: needs the ends and the fields of its kind")),
+        };
+        Ok(Self { kind, ends_by, body })
     }
 }
 

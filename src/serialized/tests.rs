@@ -1,7 +1,7 @@
 use crate::design::{Aim, Measurement};
 use crate::motion::attractors;
 use crate::motion::record::{After, Body, Record};
-use crate::motion::{FreeDecay, LongRun, State, Trajectory};
+use crate::motion::{FreeDecay, LongRun, Segment, State, Trajectory};
 use crate::uncertainty::{Interval, ParameterBox, Parameters};
 use crate::{
     Border, Cycle, Drive, Excitation, Oscillator, Output, Ratios, Response, Scales, Steady, Verdict,
@@ -136,6 +136,10 @@ fn results_are_read_as_they_were_written() {
         limit.steady_state().into_iter().for_each(|steady| back(&steady.peaks().unwrap()));
         let starts = [State::default(), State::new(0.0, -3.0, 1.0).unwrap()];
         back(&attractors(ratios, &starts, 1000).unwrap());
+        for start in starts {
+            // Slides and stops, of a motion without end and of one that comes to rest.
+            Trajectory::new(ratios, start).unwrap().take(30).for_each(|segment| back(&segment.unwrap()));
+        }
         let mut motion = Trajectory::new(ratios, State::default()).unwrap().samples(7).unwrap();
         back(&motion.next().unwrap().unwrap());
     }
@@ -256,18 +260,32 @@ fn inputs_obey_the_rules_of_their_constructors() {
     );
 }
 
-/// A segment has its ends and its kind; a model is read back, and what it leaves out is as by default.
+/// A segment has its ends and its kind, is exact at each instant when it is read back, and one whose ends are not those of its kind is refused.
 #[test]
-fn segments_and_models() {
-    let motion = crate::motion::Trajectory::new(Ratios::new(0.4, 6.0).unwrap(), State::default()).unwrap();
+fn segments() {
+    let motion = Trajectory::new(Ratios::new(0.4, 6.0).unwrap(), State::default()).unwrap();
     let segments: Vec<_> = motion.take(2).collect::<Result<_, _>>().unwrap();
     let written = to_value(segments[1]).unwrap();
     assert_eq!((&written["kind"], &written["ends_by"]), (&json!("slide-forward"), &json!("reversal")));
     assert_eq!(from_value::<State<f64>>(written["start"].clone()).unwrap(), segments[1].start());
     assert_eq!(from_value::<Option<State<f64>>>(written["end"].clone()).unwrap(), segments[1].end());
     assert_eq!(written["duration"].as_f64(), segments[1].duration());
+    let read: Segment<f64> = from_value(written.clone()).unwrap();
+    let middle = segments[1].start().phase.advanced(0.5 * segments[1].duration().unwrap());
+    assert_eq!(read.at(middle), segments[1].at(middle));
+    for (field, value, due) in [
+        ("kind", json!("stick"), "fields of its kind"),
+        ("end", Value::Null, "needs the ends"),
+        ("start", json!({ "x": f64::MAX, "v": 0 }), "≤"),
+    ] {
+        let mut other = written.clone();
+        other[field] = value;
+        let said = from_value::<Segment<f64>>(other).unwrap_err().to_string();
+        assert!(said.contains(due), "{field}: {said}");
+    }
 }
 
+/// A model is read back, and what it leaves out is as by default.
 #[cfg(feature = "system")]
 #[test]
 fn models() {
