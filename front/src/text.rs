@@ -1,9 +1,10 @@
 //! Texts of others: what a terminal or a drawing must not receive, files that are no text, and files that are no files.
 
 use std::borrow::Cow;
+use std::cell::RefCell;
 use std::fs::{self, File};
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Whether a character is one that acts on a terminal, or one that no drawing may hold: a control character, or U+FFFE and
 /// U+FFFF, which are none.
@@ -64,9 +65,56 @@ pub fn open_regular(place: &Path) -> io::Result<File> {
     }
 }
 
+/// The folder of the files that another file names. It keeps the first one that was not opened, because messages tell its error in words.
+#[derive(Debug)]
+pub struct Folder<'p> {
+    place: &'p Path,
+    unopened: RefCell<Option<(PathBuf, io::Error)>>,
+}
+
+impl<'p> Folder<'p> {
+    /// The folder at this place.
+    #[must_use]
+    pub const fn new(place: &'p Path) -> Self {
+        Self { place, unopened: RefCell::new(None) }
+    }
+
+    /// The same folder, in which every file was opened so far.
+    #[must_use]
+    pub const fn again(&self) -> Self {
+        Self::new(self.place)
+    }
+
+    /// The path of a file in the folder.
+    #[must_use]
+    pub fn path(&self, file: &str) -> PathBuf {
+        self.place.join(file)
+    }
+
+    /// As [`open_regular`], for a path of this folder.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn open(&self, path: &Path) -> io::Result<File> {
+        open_regular(path).inspect_err(|error| {
+            let same = error.raw_os_error().map_or_else(
+                || io::Error::new(error.kind(), error.to_string()),
+                io::Error::from_raw_os_error,
+            );
+            self.unopened.borrow_mut().get_or_insert_with(|| (path.to_owned(), same));
+        })
+    }
+
+    /// The first file that was not opened, with its error.
+    #[must_use]
+    pub fn unopened(self) -> Option<(PathBuf, io::Error)> {
+        self.unopened.into_inner()
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{UTF16, is_utf16, of_bytes, open_regular, printable};
+    use super::{Folder, UTF16, is_utf16, of_bytes, open_regular, printable};
     use std::path::Path;
 
     #[test]
@@ -94,5 +142,20 @@ mod tests {
     #[test]
     fn a_folder_is_no_file() {
         assert_eq!(open_regular(Path::new("/")).unwrap_err().to_string(), "must be a regular file");
+    }
+
+    #[test]
+    fn a_folder_keeps_the_first_file_that_was_not_opened() {
+        let folder = Folder::new(Path::new(env!("CARGO_MANIFEST_DIR")));
+        assert!(folder.open(&folder.path("Cargo.toml")).is_ok());
+        assert!(folder.again().unopened().is_none());
+        let missing = folder.path("no.mtx");
+        for path in [&missing, &folder.path("src"), &missing] {
+            assert!(folder.open(path).is_err());
+        }
+        assert!(folder.again().unopened().is_none());
+        let (path, error) = folder.unopened().unwrap();
+        assert_eq!((path, error.kind()), (missing, std::io::ErrorKind::NotFound));
+        assert!(error.raw_os_error().is_some());
     }
 }

@@ -90,9 +90,12 @@ impl Read for Watched {
 
 /// The error of the operating system as Python has it, with its number and its text.
 fn of_system(error: std::io::Error) -> PyErr {
-    let text = error.to_string();
-    let text = text.split(" (os error").next().unwrap_or_default().to_owned();
-    PyOSError::new_err((error.raw_os_error(), text))
+    PyOSError::new_err((error.raw_os_error(), in_words(&error.to_string())))
+}
+
+/// A message without the number of an error of the operating system.
+pub(crate) fn in_words(text: &str) -> String {
+    text.split(" (os error").next().unwrap_or_default().to_owned()
 }
 
 /// Reads a record from a file of this name, or from bytes. `wanted` is the column of the time, the sensitivity, the mean that

@@ -1,9 +1,10 @@
 //! Systems of several bodies: descriptions in, answers out as the JSON of the command, samples and grids as arrays.
 
-use crate::record::load;
-use crate::refused;
+use crate::record::{in_words, load};
+use crate::{plain, refused};
 use interrupt::{interruptible, left_behind};
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
+use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::prelude::*;
@@ -15,6 +16,7 @@ use stickslip_front::system::{
     Answer, Asked, Axis, Cell, Description, Grid, NamedSystem, OfBorder, Samples, Units as UnitsOf, Why,
     decoded, parsed,
 };
+use stickslip_front::text::Folder;
 
 /// Rows that are computed before signals are asked for.
 const AT_ONCE: u64 = 16;
@@ -32,6 +34,29 @@ fn json(answer: &impl serde::Serialize) -> PyResult<String> {
     serde_json::to_string(answer).map_err(refused)
 }
 
+/// The system of a value; where a file that it names is not opened, the error is that of the operating system, too, with the whole message
+/// as its attribute.
+fn built(
+    py: Python<'_>,
+    value: &serde_json::Value,
+    set: &[(&str, &str)],
+    folder: &str,
+    units: Option<&Units>,
+    about: impl Fn(String) -> String,
+) -> PyResult<NamedSystem> {
+    let folder = Folder::new(Path::new(folder));
+    NamedSystem::in_folder(value, set, &folder, units).map_err(|why| {
+        let why = about(why);
+        let Some((file, error)) = folder.unopened() else { return refused(why) };
+        let what = in_words(&error.to_string());
+        let error = PyOSError::new_err((error.raw_os_error(), what, file.into_os_string()));
+        match error.value(py).setattr("message", in_words(&plain(&why))) {
+            Ok(()) => error,
+            Err(other) => other,
+        }
+    })
+}
+
 /// Names with the samples and the times of records.
 type Records<'py> = Vec<(String, String, PyReadonlyArray1<'py, f64>, PyReadonlyArray1<'py, f64>)>;
 
@@ -42,21 +67,20 @@ type Columns<'py> = (Bound<'py, PyDict>, Vec<(u64, String)>, Vec<usize>);
 impl NativeSystem {
     /// The system of a text in JSON or TOML, with names of files relative to the folder.
     #[new]
-    fn new(text: &str, name: &str, folder: String, units: Option<&str>) -> PyResult<Self> {
+    fn new(py: Python<'_>, text: &str, name: &str, folder: String, units: Option<&str>) -> PyResult<Self> {
         let of_units = |e| refused(format!("units {}: {e}", units.unwrap_or_default()));
         let units: Option<Units> = units.map(|text| text.parse().map_err(of_units)).transpose()?;
         let value = parsed(text, name).map_err(refused)?;
-        let about = |e: String| refused(if name.is_empty() { e } else { format!("{name}: {e}") });
-        let named = NamedSystem::new(&value, [], Path::new(&folder), units.as_ref()).map_err(about)?;
+        let about = |e: String| if name.is_empty() { e } else { format!("{name}: {e}") };
+        let named = built(py, &value, &[], &folder, units.as_ref(), about)?;
         Ok(Self { value: Arc::new(value), folder, units, named: Arc::new(named) })
     }
 
     /// The system with other values at some paths.
-    fn with_values(&self, set: Vec<(String, String)>) -> PyResult<Self> {
-        let typed = set.iter().map(|(path, new)| (path.as_str(), new.as_str()));
-        let named =
-            NamedSystem::new(&self.value, typed.clone(), Path::new(&self.folder), self.units.as_ref());
-        let named = Arc::new(named.map_err(refused)?);
+    fn with_values(&self, py: Python<'_>, set: Vec<(String, String)>) -> PyResult<Self> {
+        let typed: Vec<_> = set.iter().map(|(path, new)| (path.as_str(), new.as_str())).collect();
+        let named = built(py, &self.value, &typed, &self.folder, self.units.as_ref(), |e| e)?;
+        let named = Arc::new(named);
         let mut value = serde_json::Value::clone(&self.value);
         for (path, new) in typed {
             NamedSystem::set(&mut value, path, new).map_err(refused)?;

@@ -105,6 +105,7 @@ def test_states_and_events_are_those_of_the_answer():
         (lambda: ss.Block(mass=1.0, friction_coefficient=0.1, slope=2.0), "slope"),
         (lambda: ss.spectrum(ss.Record([1, 2], time_step=1), period=0.0, friction_coefficient=0.1), "period"),
         (lambda: ss.spectrum(ss.Record([1, 2], time_step=1), period=1.0, friction_coefficient=-1.0), "= -1 must be"),
+        (lambda: ss.spectrum(ss.Record([1, 2], time_step=1), period=[1e300, 1e-300], friction_coefficient=0.1), "period 1e300: stiffness k = 0 must be > 0"),
     ],
 )
 def test_what_is_wrong_is_named(make, said):

@@ -1,11 +1,14 @@
 """Systems of several bodies, against the command, SciPy and closed forms."""
 
 import copy
+import errno
 import json
 import os
 import pickle
 import shutil
 import subprocess
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -398,3 +401,46 @@ def test_blows_have_their_velocities():
     assert abs(before[0] - v) < 1e-14
     assert motion.event_kind[-1] == "close"
     assert abs(motion.event_time[-1] - (v / g + 2 * e * v / (g * (1 - e)))) < 1e-13
+
+
+@pytest.mark.parametrize(
+    "place, fields",
+    [
+        ("mass", {"masses": None, "mass": "no.mtx", "stiffness": [[1.0]]}),
+        ("base.acceleration", {"base": {"acceleration": "no.mtx"}}),
+        ("springs[1].law", {"springs": [{"between": ["ground", "a"], "law": "no.mtx"}]}),
+        ("forces[1].record", {"forces": [{"on": "a", "record": "no.mtx"}]}),
+    ],
+)
+def test_files_that_a_system_names(place: str, fields: dict[str, Any], tmp_path: Path) -> None:
+    """A missing one is an error of the system, too, with the place that names it; so is a folder in its place."""
+    given = {"masses": {"a": "1 t"}, "units": "kN,m", "folder": tmp_path, **fields}
+    file = str(tmp_path / "no.mtx")
+    with pytest.raises(FileNotFoundError) as missing:
+        ss.System(**given)
+    text = f"{place}: {'no.mtx' if place == 'mass' else file}: "
+    assert isinstance(missing.value, ss.Error) and str(missing.value) == text + os.strerror(errno.ENOENT)
+    again = pickle.loads(pickle.dumps(missing.value))
+    for error in (missing.value, again):
+        assert (error.errno, error.strerror, error.filename) == (errno.ENOENT, os.strerror(errno.ENOENT), file)
+        assert str(error) == str(missing.value)
+    (tmp_path / "no.mtx").mkdir()
+    with pytest.raises(OSError) as folder:
+        ss.System(**given)
+    assert isinstance(folder.value, ss.Error) and str(folder.value) == text + "must be a regular file"
+    assert (folder.value.errno, folder.value.filename) == (errno.EISDIR, file)
+
+
+def test_a_file_of_a_changed_system(tmp_path: Path) -> None:
+    (tmp_path / "quake.csv").write_text("time [s],acceleration [m/s^2]\n0,0\n1,1\n2,0\n")
+    (tmp_path / "frame.toml").write_text('units = "kN,m"\nmasses = {a = 1}\nbase = {acceleration = "quake.csv"}\n')
+    system = ss.System.read(tmp_path / "frame.toml")
+    with pytest.raises(FileNotFoundError) as missing:
+        system.with_values({"base.acceleration": "no.csv"})
+    assert isinstance(missing.value, ss.Error) and missing.value.filename == str(tmp_path / "no.csv")
+    assert "base.acceleration=no.csv" in str(missing.value)
+    kept = pickle.dumps(system)
+    (tmp_path / "quake.csv").unlink()
+    with pytest.raises(FileNotFoundError) as gone:
+        pickle.loads(kept).steady()
+    assert gone.value.filename == str(tmp_path / "quake.csv") and "frame.toml: base.acceleration" in str(gone.value)

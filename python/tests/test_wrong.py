@@ -177,6 +177,7 @@ def test_a_value_that_was_set_is_named():
         ({"bearing.friction": -1}, "bearing.friction=-1.0: contacts[1].friction -1.0: must be >= 0"),
         ({"contacts.0.friction": 1}, "contacts.0.friction=1.0: 0 is no place of the list, which has [1] to [1]"),
         ({"forces[2].amplitude": 1}, "[2] is no place of the list"),
+        ({"bearing.friction": b"1"}, "bearing.friction = b'1': must be a number, or a text with a unit"),
     ]:
         with pytest.raises(ss.Error) as error:
             system.with_values(typed)

@@ -1,7 +1,7 @@
 //! What is known of a file of named bodies while it is read.
 
 use super::laws::Law;
-use std::path::Path;
+use crate::text::Folder;
 use stickslip::system::{Base, Model, State};
 
 /// The bodies, and the system as far as it is read.
@@ -10,7 +10,7 @@ pub(super) struct Builder<'p, F> {
     /// The names of springs and forces so far.
     pub(super) taken: Vec<String>,
     pub(super) model: Model<F>,
-    pub(super) folder: &'p Path,
+    pub(super) folder: &'p Folder<'p>,
     pub(super) base: Option<Base<F>>,
     pub(super) start: State<F>,
     /// The laws that are curves.

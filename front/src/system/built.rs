@@ -6,6 +6,7 @@ use super::node::{Number, is_double, nearest};
 use super::why::Why;
 use super::{file, named};
 use crate::inputs::units::{Kind, Reader, System as Units};
+use crate::text::Folder;
 use serde_json::Value;
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -38,23 +39,23 @@ impl<F: Number> NamedSystem<F> {
     pub(super) fn read<'s>(
         value: &Value,
         set: impl IntoIterator<Item = (&'s str, &'s str)>,
-        folder: &Path,
+        folder: &Folder<'_>,
         units: Option<&Units>,
     ) -> Result<Self, String> {
-        let built = |value: &Value| Self::of(file::described(value, folder, units)?);
+        let built = |value: &Value, folder: &Folder<'_>| Self::of(file::described(value, folder, units)?);
         let set: Vec<(&str, &str)> = set.into_iter().collect();
         if set.is_empty() {
-            return built(value);
+            return built(value, folder);
         }
         let mut other = value.clone();
         for (path, new) in &set {
             NamedSystem::set(&mut other, path, new)?;
         }
-        built(&other).map_err(|why| {
+        built(&other, folder).map_err(|why| {
             // What was typed is wrong where the file alone is not.
             let typed =
                 || set.iter().map(|(path, new)| format!("{path}={new}")).collect::<Vec<_>>().join(" ");
-            if built(value).is_ok() { format!("{}: {why}", typed()) } else { why }
+            if built(value, &folder.again()).is_ok() { format!("{}: {why}", typed()) } else { why }
         })
     }
 
@@ -239,13 +240,17 @@ impl NamedSystem {
         units: Option<&Units>,
     ) -> Result<Self, String> {
         let set: Vec<(&str, &str)> = set.into_iter().collect();
-        Self::with_values(value, &set, folder, units)
+        Self::in_folder(value, &set, &Folder::new(folder), units)
     }
 
-    fn with_values(
+    /// As [`NamedSystem::new`], where the folder keeps the first file that was not opened.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn in_folder(
         value: &Value,
         set: &[(&str, &str)],
-        folder: &Path,
+        folder: &Folder<'_>,
         units: Option<&Units>,
     ) -> Result<Self, String> {
         Self::read(value, set.iter().copied(), folder, units)

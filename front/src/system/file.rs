@@ -10,9 +10,9 @@ use super::spring;
 use super::stored::{matrix as matrix_of, of_fields};
 use super::unique::Unique;
 use crate::inputs::units::{Kind as Of, Reader, System as Units};
+use crate::text::Folder;
 use crate::text::of_bytes;
 use serde_json::Value;
-use std::path::Path;
 use stickslip::system::{Beyond, Element, Harmonic, Kind, Law, Model, Normal, Record, Signal, State};
 
 /// The greatest length of a file in bytes: three matrices of the most coordinates in full digits are 3 MB.
@@ -104,7 +104,7 @@ pub fn units_of(value: &Value) -> Result<Option<Units>, String> {
 /// The system of a value, with records beside the file in `folder`.
 pub(super) fn described<F: Number>(
     value: &Value,
-    folder: &Path,
+    folder: &Folder<'_>,
     units: Option<&Units>,
 ) -> Result<Described<F>, String> {
     let own = units_of(value)?;
@@ -135,7 +135,7 @@ pub(super) fn described<F: Number>(
 /// A system of matrices: in the units that the file names, or in any consistent ones.
 fn by_matrices<F: Number>(
     fields: &Fields<'_>,
-    folder: &Path,
+    folder: &Folder<'_>,
     units: Option<Units>,
 ) -> Result<Described<F>, String> {
     if fields.get("mass").is_none() {

@@ -7,6 +7,7 @@ use super::node::Number;
 use super::why::Why;
 use crate::grid::Range;
 use crate::inputs::units::{Kind as Of, Reader, System as Units, split};
+use crate::text::Folder;
 use serde_json::Value;
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -368,7 +369,7 @@ impl<'a> Grid<'a> {
         }
         let chosen = || self.axes.iter().zip(&typed);
         let set = chosen().filter_map(|(axis, text)| Some((axis.path.as_deref()?, text.as_str())));
-        let mut found = NamedSystem::<F>::read(self.value, set, self.folder, self.units)?;
+        let mut found = NamedSystem::<F>::read(self.value, set, &Folder::new(self.folder), self.units)?;
         for (axis, text) in chosen().filter(|(axis, _)| axis.path.is_none()) {
             let frequency = found.reader().value(axis.typed.trim(), text, Of::Frequency);
             found = found

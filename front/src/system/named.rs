@@ -11,8 +11,8 @@ use super::signals::{NEEDS, add as plus, slopes_of};
 use super::smooth::second_derivative;
 use super::spring;
 use crate::inputs::units::{Kind as Of, System as Units};
+use crate::text::Folder;
 use serde_json::Value;
-use std::path::Path;
 use stickslip::system::{Base, Element, Kind, Law, Level, Model, Moved, MovedBy, Normal, Signal, State};
 
 /// The name of the ground.
@@ -21,7 +21,7 @@ pub(super) const GROUND: &str = "ground";
 /// The system of a file of named bodies.
 pub(super) fn described<F: Number>(
     root: &Node<'_>,
-    folder: &Path,
+    folder: &Folder<'_>,
     units: Units,
 ) -> Result<Described<F>, String> {
     let fields = root.fields()?;

@@ -10,6 +10,7 @@ use super::signals::slopes_of;
 use super::why::Why;
 use crate::inputs::units::{InputError, System as Units};
 use crate::inputs::{Driven, Given, Input};
+use crate::text::Folder;
 use serde_json::json;
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -64,7 +65,8 @@ impl<F: Number> OneBody<F> {
             "masses": { "body": 1 },
             "contacts": [{ "name": "surface", "between": ["ground", "body"], "friction": 1 }],
         });
-        let NamedSystem { mut described, .. } = NamedSystem::<F>::read(&value, [], Path::new(""), None)?;
+        let NamedSystem { mut described, .. } =
+            NamedSystem::<F>::read(&value, [], &Folder::new(Path::new("")), None)?;
         let one = |x: F| vec![vec![x]];
         let model = &mut described.model;
         (model.mass, model.damping, model.stiffness) =

@@ -5,7 +5,7 @@ use super::described::{MOST_FREQUENCIES, MOST_RECORDS, MOST_SAMPLES, samples};
 use super::node::{Fields, Node, Number, is_double, nearest};
 use crate::inputs::units::Kind as Of;
 use crate::record::{self, Options, Words};
-use crate::text::{of_bytes, open_regular};
+use crate::text::of_bytes;
 use std::io::{BufReader, Read};
 use stickslip::Excitation;
 use stickslip::motion::record::{After, Record as Measured};
@@ -230,7 +230,7 @@ impl<F: Number> Builder<'_, F> {
     /// A record as the commands `record` read it, with their options.
     fn measured(&self, node: &Node<'_>, fields: &Fields<'_>, kind: Of) -> Result<Record<F>, String> {
         let reader = node.reader();
-        let file = self.folder.join(node.text()?);
+        let file = self.folder.path(node.text()?);
         let name = file.display().to_string();
         let text = |name: &'static str| fields.get(name).map(|node| shown(&node));
         let [time_step, time_column, column, from, to, remove_mean, resample] =
@@ -253,7 +253,7 @@ impl<F: Number> Builder<'_, F> {
             ..Options::new(&name, reader, WORDS)
         };
         let about = |e: String| format!("{}: {e}", node.place());
-        let opened = open_regular(&file).map_err(|e| about(format!("{name}: {e}")))?;
+        let opened = self.folder.open(&file).map_err(|e| about(format!("{name}: {e}")))?;
         let found: Measured<F> = record::read(BufReader::new(opened), &options).map_err(about)?.record;
         let due = if kind == Of::Force { Excitation::Force } else { Excitation::SurfaceAcceleration };
         if is_load && found.excitation() != due {
@@ -266,11 +266,11 @@ impl<F: Number> Builder<'_, F> {
 
     /// The first two columns of a CSV file: a law.
     pub(super) fn columns(&self, node: &Node<'_>, kinds: [Of; 2]) -> Result<Vec<(F, F)>, String> {
-        let file = self.folder.join(node.text()?);
+        let file = self.folder.path(node.text()?);
         let name = file.display().to_string();
         let bad = |e: &dyn std::fmt::Display| format!("{}: {name}: {e}", node.place());
         let mut bytes = Vec::new();
-        let source = open_regular(&file).map_err(|e| bad(&e))?;
+        let source = self.folder.open(&file).map_err(|e| bad(&e))?;
         source.take(LONGEST_TABLE.saturating_add(1)).read_to_end(&mut bytes).map_err(|e| bad(&e))?;
         if bytes.len() as u64 > LONGEST_TABLE {
             return Err(bad(&format!("must be ≤ {LONGEST_TABLE} bytes")));

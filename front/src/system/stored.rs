@@ -9,7 +9,7 @@ mod numpy;
 
 use self::entry::{Entry, Take, check_size, square};
 use super::node::{Fields, Node, Number};
-use crate::text::{open_regular, printable};
+use crate::text::{Folder, printable};
 use serde_json::Value;
 use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
@@ -20,7 +20,7 @@ const LONGEST: u64 = 1 << 27;
 /// A square matrix: rows of numbers, the name of a file, or a table of `file` and `array`. Its size is given, or its own.
 pub(super) fn matrix<F: Number>(
     node: &Node<'_>,
-    folder: &Path,
+    folder: &Folder<'_>,
     size: Option<usize>,
 ) -> Result<Vec<Vec<F>>, String> {
     match node.value() {
@@ -40,7 +40,7 @@ pub(super) fn matrix<F: Number>(
 /// The matrix of the fields `file` and `array`, beside others that are read elsewhere.
 pub(super) fn of_fields<F: Number>(
     fields: &Fields<'_>,
-    folder: &Path,
+    folder: &Folder<'_>,
     size: Option<usize>,
     others: &[&'static str],
 ) -> Result<Vec<Vec<F>>, String> {
@@ -53,7 +53,7 @@ pub(super) fn of_fields<F: Number>(
 
 fn in_file<F: Number>(
     node: &Node<'_>,
-    folder: &Path,
+    folder: &Folder<'_>,
     file: &str,
     array: Option<&str>,
     size: Option<usize>,
@@ -81,18 +81,24 @@ fn in_file<F: Number>(
         }
         Ok(())
     };
-    let found = read(&folder.join(file), array, size, &mut take);
+    let found = read(folder, &folder.path(file), array, size, &mut take);
     let n = found.map_err(|e| format!("{}: {}: {}", node.place(), printable(file), printable(&e)))?;
     Ok(if rows.is_empty() { zeros(n) } else { rows })
 }
 
 /// The size of the matrix in a file, whose entries are taken.
-fn read(file: &Path, array: Option<&str>, size: Option<usize>, take: Take<'_>) -> Result<usize, String> {
+fn read(
+    folder: &Folder<'_>,
+    file: &Path,
+    array: Option<&str>,
+    size: Option<usize>,
+    take: Take<'_>,
+) -> Result<usize, String> {
     let end = file.extension().and_then(|end| end.to_str()).unwrap_or("").to_ascii_lowercase();
     if !["mtx", "npy", "npz"].contains(&end.as_str()) {
         return Err("must be rows of numbers, or the name of a file .mtx, .npy or .npz".to_owned());
     }
-    let opened = open_regular(file).map_err(|e| e.to_string())?;
+    let opened = folder.open(file).map_err(|e| e.to_string())?;
     let length = opened.metadata().map_err(|e| e.to_string())?.len();
     if length > LONGEST {
         return Err(format!("has {length} bytes, must have ≤ {LONGEST}"));

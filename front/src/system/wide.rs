@@ -4,6 +4,7 @@ use super::built::NamedSystem;
 use super::grid::{Cell, Grid};
 use super::one_body::{OneBody, Repeated};
 use crate::inputs::units::System as Units;
+use crate::text::Folder;
 use serde_json::Value;
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -44,7 +45,7 @@ impl WideSystem {
         units: Option<&Units>,
         keep_going: fn() -> ControlFlow<()>,
     ) -> Result<Self, String> {
-        let found = NamedSystem::read(value, set.iter().copied(), folder, units)?;
+        let found = NamedSystem::read(value, set.iter().copied(), &Folder::new(folder), units)?;
         Ok(Self(found.while_allowed(keep_going)))
     }
 

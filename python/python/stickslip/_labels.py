@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import errno
 import importlib
+import os
 from collections.abc import Mapping
 from typing import Any, NamedTuple, Optional, Protocol
 
@@ -30,12 +32,15 @@ class FileError(Error, OSError):
     """A file cannot be opened. It is an `Error` and an `OSError`, with ``errno``, ``strerror`` and ``filename``; of a missing file, it is
     a `FileNotFoundError`, too."""
 
+    #: The message, of a file that another one names with the place where it does.
+    message: Optional[str] = None
+
     def __new__(cls, *given: Any) -> "FileError":
         # The first base would make no error of the system.
         return OSError.__new__(cls, *given)
 
     def __str__(self) -> str:
-        return f"{self.filename}: {self.strerror}"
+        return self.message or f"{self.filename}: {self.strerror}"
 
 
 class _MissingFile(FileError, FileNotFoundError):
@@ -45,7 +50,12 @@ class _MissingFile(FileError, FileNotFoundError):
 def unreadable(name: object, error: OSError) -> FileError:
     """The error of a file that cannot be opened."""
     kind = _MissingFile if isinstance(error, FileNotFoundError) else FileError
-    return kind(error.errno, error.strerror or str(error), name)
+    file = error.filename or name
+    # A folder in the place of a file is refused before the system is asked.
+    number = errno.EISDIR if error.errno is None and os.path.isdir(file) else error.errno
+    found = kind(number, error.strerror or str(error), file)
+    found.message = getattr(error, "message", None)
+    return found
 
 
 class Like(NamedTuple):

@@ -1029,7 +1029,7 @@ def spectrum(
         bodies, places, _ = _native.machines(shared, numbers, at.size, system)
         failed = dict(places)
         if failed and len(failed) == at.size:
-            raise Error(failed[0][1])
+            raise Error(failed[0])
         own = {**bodies, "friction_backward": bodies["friction"]}
         own = {name: own.get(name, np.zeros(1)) for name in (*_OF_BLOCK, "displacement", "velocity")}
         found, errors = each(Points((at.size,), own, None), False, load, failed)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple, Optional, Union
 
 import numpy as np
@@ -171,9 +171,9 @@ class System:
         """The system in the compiled part, which is made when it is first asked."""
         if self._built is None:
             described, changes = self._made
-            built = _native.NativeSystem(*described)
+            built = _opening(_native.NativeSystem, *described)
             for name, *arguments in changes:
-                built = getattr(built, name)(*arguments)
+                built = _opening(getattr(built, name), *arguments)
             self._built = built
         return self._built
 
@@ -181,13 +181,13 @@ class System:
         """This system after a method of the compiled part."""
         new = object.__new__(type(self))
         described, changes = self._made
-        new._built, new._made = getattr(self._handle, name)(*arguments), (described, (*changes, (name, *arguments)))
+        new._built, new._made = _opening(getattr(self._handle, name), *arguments), (described, (*changes, (name, *arguments)))
         return new
 
     def _with(self, field: str, added: Any, **others: Any) -> "System":
         """This system with a further entry in a field of its description, and the changes made to it."""
         (text, name, folder, units), changes = self._made
-        value = json.loads(text if text.lstrip().startswith("{") else _native.NativeSystem(text, name, folder, units).value())
+        value = json.loads(text if text.lstrip().startswith("{") else _opening(_native.NativeSystem, text, name, folder, units).value())
         added = {key: _plain(f"{field}.{key}", own) for key, own in {**added, **others}.items() if own is not None}
         if field in ("masses", "base", "damping"):
             own = value.get(field, {})
@@ -547,6 +547,14 @@ class System:
         return f"System({some(self.coordinates)}{'; ' if elements else ''}{some(elements)})"
 
 
+def _opening(make: Callable[..., _native.NativeSystem], *arguments: Any) -> _native.NativeSystem:
+    """A system of the compiled part, which opens the files that the description names."""
+    try:
+        return make(*arguments)
+    except OSError as error:
+        raise unreadable("", error) from None
+
+
 class _Axis(NamedTuple):
     """An axis of a grid: its name, its labels if it has any, and the paths and values that change along it."""
 
@@ -702,7 +710,7 @@ def _typed(name: str, value: Any) -> str:
     if isinstance(value, str):
         return _with_unit(value, _bare(name))
     value, unit = parted(name, value)
-    if isinstance(value, (bool, np.bool_)) or not np.isscalar(value) and np.ndim(value) != 0:
+    if isinstance(value, (bool, np.bool_, bytes)) or not np.isscalar(value) and np.ndim(value) != 0:
         raise Error(f"{name} = {value}: must be a number, or a text with a unit")
     try:
         return f"{float(value)!r} {unit or _bare(name)}".rstrip()
@@ -757,4 +765,4 @@ def _plain(name: str, value: Any) -> Any:
         return os.fspath(value)
     if isinstance(value, Sequence):
         return [_plain(f"{name}[{place}]", inner) for place, inner in enumerate(value, 1)]
-    raise Error(f"{name} = {value!r}: must be a number, a text, a list or a dict")
+    raise Error(f"{name} = {' '.join(repr(value).split())}: must be a number, a text, a list or a dict")
