@@ -50,7 +50,7 @@ class _MissingFile(FileError, FileNotFoundError):
 def unreadable(name: object, error: OSError) -> FileError:
     """The error of a file that cannot be opened."""
     kind = _MissingFile if isinstance(error, FileNotFoundError) else FileError
-    file = error.filename or name
+    file: Any = error.filename or name
     # A folder in the place of a file is refused before the system is asked.
     number = errno.EISDIR if error.errno is None and os.path.isdir(file) else error.errno
     found = kind(number, error.strerror or str(error), file)
