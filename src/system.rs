@@ -39,11 +39,13 @@ mod drift;
 mod equation;
 mod error;
 mod events;
+mod few;
 mod first_passage;
 mod fixed_point;
 mod follow;
 mod following;
 mod forced;
+mod given;
 #[cfg(feature = "rayon")]
 mod grid;
 mod guard;
@@ -59,6 +61,7 @@ mod modes;
 mod motion;
 mod next_branch;
 mod period_map;
+mod pieces;
 mod precision;
 mod propagator;
 mod rate;
@@ -75,10 +78,11 @@ mod waves;
 
 use crate::float::Float;
 use alloc::vec::Vec;
-use assembly::{Assembly, finite, vector};
+use assembly::Assembly;
 use core::ops::ControlFlow;
 use drift::Drift;
 use follow::Follower;
+use given::{finite, vector};
 use motion::{Observer, Passage, state};
 
 pub use border::{Border, Cycle};
@@ -110,11 +114,12 @@ impl<F: Float> System<F> {
         Assembly::new(model).map(|assembly| Self { assembly })
     }
 
-    /// This system, whose fast modes shorten its steps: for the comparison with steps that they do not shorten.
+    /// This system, whose fast modes shorten its steps, and whose steps are products with matrices of all entries: for the comparison with
+    /// steps that they do not shorten, and with those of large systems.
     #[doc(hidden)]
     #[must_use]
     pub const fn by_short_steps(mut self) -> Self {
-        self.assembly.splits = false;
+        self.assembly.shortcuts = false;
         self
     }
 
@@ -318,7 +323,7 @@ impl<F: Float> System<F> {
         times
             .iter()
             .map(|&time| {
-                assembly::at_least("time", time, before)?;
+                given::at_least("time", time, before)?;
                 before = time;
                 follower.run(time, &mut ())?;
                 Ok(state(&self.assembly, &follower))
@@ -336,7 +341,7 @@ impl<F: Float> System<F> {
             return Err(Error::Length { name: "start: force".into(), found, expected });
         }
         start.force.iter().try_for_each(|&x| finite("start: force", x).map(|_| ()))?;
-        assembly::at_least("time", until, F::int(0))?;
+        given::at_least("time", until, F::int(0))?;
         Follower::new(&self.assembly, start, until)
     }
 }

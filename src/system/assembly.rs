@@ -5,8 +5,10 @@
 
 use super::dependent::{rank, too_many};
 use super::error::Error;
+use super::given::{at_least, check_record, column, finite, padded, place, positive, square, vector};
 use super::matrix::{Matrix, add_times, dot, set};
-use super::model::{Base, Element, Kind, Law, Model, Moved, MovedBy, Normal, Record, Signal};
+use super::model::{Base, Element, Kind, Model, Moved, MovedBy, Normal, Record, Signal};
+use super::pieces::{Piece, pieces};
 use crate::float::Float;
 use crate::machine::error::written;
 use alloc::format;
@@ -14,14 +16,6 @@ use alloc::string::{String, ToString};
 use alloc::vec;
 use alloc::vec::Vec;
 use core::ops::ControlFlow;
-
-/// A straight piece of a law: `r = force + slope (w − from)` from the speed `from` on.
-#[derive(Debug, Clone)]
-pub(crate) struct Piece<F> {
-    pub(crate) from: F,
-    pub(crate) force: F,
-    pub(crate) slope: F,
-}
 
 /// The law of an element, ready for use.
 #[derive(Debug, Clone)]
@@ -140,8 +134,8 @@ pub(crate) struct Assembly<F> {
     pub(crate) carriers: Vec<usize>,
     /// The row of the base's acceleration at each coordinate; none without a base.
     pub(crate) base: Vec<Vec<F>>,
-    /// Whether fast modes are set apart.
-    pub(crate) splits: bool,
+    /// Whether fast modes are set apart, and large branches with few entries are followed by series.
+    pub(crate) shortcuts: bool,
     /// Whether motions are followed further.
     pub(crate) keep_going: fn() -> ControlFlow<()>,
 }
@@ -202,7 +196,7 @@ impl<F: Float> Assembly<F> {
             jerks: false,
             carriers: Vec::new(),
             base: Vec::new(),
-            splits: true,
+            shortcuts: true,
             keep_going: || ControlFlow::Continue(()),
         };
         for (i, level) in model.levels.iter().enumerate() {
@@ -566,165 +560,4 @@ pub(crate) fn unit<F: Float>(size: usize, place: usize) -> Vec<F> {
         *one = F::int(1);
     }
     row
-}
-
-/// The straight pieces of a law.
-fn pieces<F: Float>(name: &str, law: &Law<F>) -> Result<Vec<Piece<F>>, Error> {
-    let zero = F::int(0);
-    let Some(&(first, _)) = law.points.first() else {
-        return Err(Error::Length { name: format!("{name}: law"), found: 0, expected: 1 });
-    };
-    if first != zero {
-        return Err(Error::Unsupported {
-            name: format!("{name}: law"),
-            condition: "must begin at the speed 0",
-        });
-    }
-    for &(speed, force) in &law.points {
-        finite(&format!("{name}: speed of the law"), speed)?;
-        at_least(&format!("{name}: friction"), force, zero)?;
-    }
-    let mut pieces = straight_pieces(
-        &format!("{name}: speeds of the law"),
-        &format!("{name}: slope of the law"),
-        &law.points,
-    )?;
-    match pieces.last() {
-        None => {
-            let force = law.points.first().map_or(zero, |p| p.1);
-            pieces.push(Piece { from: zero, force, slope: zero });
-        }
-        Some(last) if last.slope < zero => {
-            let from = last.from - last.force / last.slope;
-            pieces.push(Piece { from, force: zero, slope: zero });
-        }
-        Some(_) => {}
-    }
-    Ok(pieces)
-}
-
-/// The straight pieces between points whose first numbers increase: with the names of these numbers and of the slopes for errors.
-pub(super) fn straight_pieces<F: Float>(
-    places: &str,
-    slopes: &str,
-    points: &[(F, F)],
-) -> Result<Vec<Piece<F>>, Error> {
-    let pairs = points.iter().zip(points.iter().skip(1));
-    let piece = |(&(from, force), &(to, next)): (&(F, F), &(F, F))| {
-        if to <= from {
-            return Err(Error::NotIncreasing {
-                name: places.to_string(),
-                value: written(from),
-                next: written(to),
-            });
-        }
-        Ok(Piece { from, force, slope: finite(slopes, (next - force) / (to - from))? })
-    };
-    pairs.map(piece).collect()
-}
-
-/// The name of a place of a list, which counts from 1.
-fn place(list: &str, i: usize) -> String {
-    format!("{list}[{}]", i + 1)
-}
-
-fn check_record<F: Float>(name: &str, record: &Record<F>) -> Result<(), Error> {
-    let (found, expected) = (record.values.len(), record.times.len());
-    if found != expected {
-        return Err(Error::Length { name: format!("{name}.values"), found, expected });
-    }
-    if expected < 2 {
-        return Err(Error::Length { name: format!("{name}.times"), found: expected, expected: 2 });
-    }
-    for &x in record.times.iter().chain(&record.values) {
-        finite(name, x)?;
-    }
-    // Two samples at one time are a step of the load; a third one, or no other time, is none.
-    let is_short = record.times.first() == record.times.last();
-    let later = record.times.iter().skip(2).map(Some).chain([None]);
-    for ((&a, &b), after) in record.times.iter().zip(record.times.iter().skip(1)).zip(later) {
-        if b < a || (b == a && (is_short || after == Some(&b))) {
-            return Err(Error::NotIncreasing {
-                name: format!("{name}.times"),
-                value: written(a),
-                next: written(b),
-            });
-        }
-    }
-    Ok(())
-}
-
-/// A square matrix of finite numbers.
-pub(crate) fn square<F: Float>(
-    name: &str,
-    rows: &[Vec<F>],
-    n: usize,
-    symmetric: bool,
-) -> Result<Matrix<F>, Error> {
-    if rows.len() != n {
-        return Err(Error::Length { name: name.to_string(), found: rows.len(), expected: n });
-    }
-    for (i, row) in rows.iter().enumerate() {
-        vector(&place(name, i), row, n)?;
-    }
-    let matrix = Matrix::from_rows(rows);
-    if symmetric {
-        for i in 0..n {
-            for j in 0..i {
-                let (value, mirrored) = (matrix.at(i, j), matrix.at(j, i));
-                if value != mirrored {
-                    let name = name.to_string();
-                    let (value, mirrored) = (written(value), written(mirrored));
-                    return Err(Error::NotSymmetric { name, row: i + 1, column: j + 1, value, mirrored });
-                }
-            }
-        }
-    }
-    Ok(matrix)
-}
-
-/// A list of `n` finite numbers.
-pub(crate) fn vector<F: Float>(name: &str, list: &[F], n: usize) -> Result<Vec<F>, Error> {
-    if list.len() != n {
-        return Err(Error::Length { name: name.to_string(), found: list.len(), expected: n });
-    }
-    list.iter().enumerate().map(|(i, &x)| finite(&place(name, i), x)).collect()
-}
-
-/// A list of `n` finite numbers, or an empty one for zeros.
-fn padded<F: Float>(name: &str, list: &[F], n: usize) -> Result<Vec<F>, Error> {
-    if list.is_empty() { Ok(vec![F::int(0); n]) } else { vector(name, list, n) }
-}
-
-/// Puts a list into a column.
-fn column<F: Float>(matrix: &mut Matrix<F>, j: usize, name: &str, list: &[F]) -> Result<(), Error> {
-    let n = matrix.rows().count();
-    for (i, x) in padded(name, list, n)?.into_iter().enumerate() {
-        matrix.set(i, j, x);
-    }
-    Ok(())
-}
-
-pub(crate) fn finite<F: Float>(name: &str, value: F) -> Result<F, Error> {
-    if value.is_finite() {
-        Ok(value)
-    } else {
-        Err(Error::NotFinite { name: name.to_string(), value: written(value) })
-    }
-}
-
-fn positive<F: Float>(name: &str, value: F) -> Result<F, Error> {
-    if finite(name, value)? > F::int(0) {
-        Ok(value)
-    } else {
-        Err(Error::NotPositive { name: name.to_string(), value: written(value) })
-    }
-}
-
-pub(crate) fn at_least<F: Float>(name: &str, value: F, least: F) -> Result<F, Error> {
-    if finite(name, value)? >= least {
-        Ok(value)
-    } else {
-        Err(Error::Below { name: name.to_string(), value: written(value), least: written(least) })
-    }
 }

@@ -171,7 +171,7 @@ impl<F: Float> Friction<F> {
             return Err(given.without_mass(free, "must be held by a spring or a damper"));
         }
         let mut power = steps;
-        let (mut whole, mut square) = (Matrix::identity(system.size), branch.whole.dense());
+        let (mut whole, mut square) = (Matrix::identity(system.size), branch.whole().dense());
         while power > 0 {
             if power % 2 == 1 {
                 whole = square.times(&whole);
@@ -246,7 +246,7 @@ impl<F: Float> Friction<F> {
         let mut left = time;
         let mut next = vec![F::int(0); z.len()];
         while left > self.branch.step {
-            self.branch.whole.of(&z, &mut next);
+            self.branch.whole().of(&z, &mut next);
             z.copy_from_slice(&next);
             left = left - self.branch.step;
         }
@@ -267,7 +267,7 @@ impl<F: Float> Friction<F> {
             if let Some(at) = at {
                 (best, place) = (value, time + at * self.branch.step);
             }
-            self.branch.whole.of(&z, &mut next);
+            self.branch.whole().of(&z, &mut next);
             z.copy_from_slice(&next);
             time = time + self.branch.step;
         }

@@ -13,13 +13,15 @@
 //! at most (k + 1)(d + 2) half units of `|g| |A|ᵏ |z| hᵏ/k!`. Summed, and with the K + 1 additions of the Bernstein
 //! form, whose weights are between 0 and 1, this is at most `ε (K + 1)(d + 3) |g| e^{|A|h} |z|`: a second row.
 
-use super::assembly::{Assembly, Part, Piece, Rule};
+use super::assembly::{Assembly, Part, Rule};
 use super::dependent::facets;
 use super::equation::{Equation, fastest, pressing};
+use super::few::{Few, shortened_terms};
 use super::first_passage::{bernstein_of_rows, integer};
-use super::guard::{Guard, Series, Trigger, columns_of, degree_over, series};
-use super::matrix::{Matrix, Sparse, add_times, dot, is_small, size_of_dot};
+use super::guard::{Guard, Series, Trigger, columns_of, degree_of_full_accuracy, degree_over, series};
+use super::matrix::{Matrix, Sparse, absolute, add_times, dot, entries, is_small, set, size_of_dot};
 use super::mode::{Mode, sign};
+use super::pieces::Piece;
 use super::propagator::{Bound, Powers, Propagator, exponential};
 use super::split::Split;
 use super::tie::Tie;
@@ -51,14 +53,18 @@ pub(crate) struct Branch<F> {
     transposed: Sparse<F>,
     /// The step.
     pub(crate) step: F,
-    /// e^{Ah}.
-    pub(crate) whole: Propagator<F>,
+    /// e^{Ah}, once it has been asked for.
+    whole: OnceCell<Propagator<F>>,
+    /// Set where the matrix has few entries: guards are then followed by the series of the state.
+    pub(crate) few: Option<Few<F>>,
+    /// The number of states that no load prescribes.
+    free: usize,
     /// The powers of its free part, which branches share where it is the same.
     pub(crate) powers: Rc<Powers<F>>,
     /// The terms of the series of a small matrix.
     terms: Option<Propagator<F>>,
-    /// e^{|A|h}.
-    bound: Bound<F>,
+    /// e^{|A|h}, where the matrix has many entries.
+    bound: Option<Bound<F>>,
     /// The degree of full accuracy.
     pub(crate) degree: usize,
     pub(crate) guards: Vec<Guard<F>>,
@@ -124,20 +130,30 @@ impl<F: Float> Branch<F> {
         F: 'b,
     {
         let Equation { a, tension, stuck, slips, tie } = Equation::new(system, modes);
-        let degree = degree_of_full_accuracy::<F>();
         let transposed = a.transposed();
-        // As where a contact slides the other way.
-        let other = others.find(|b| b.a.has_sizes_of(&a));
-        let (step, bound) = other.map_or_else(
+        let few = Few::new(system, &a);
+        let one = F::int(1);
+        let (reach, degree) =
+            few.as_ref().map_or_else(|| (one, degree_of_full_accuracy(one)), |few| (few.reach, few.degree));
+        // As where a contact slides the other way; the rate of a large branch is at most that of one with larger entries.
+        let is_like = |b: &&Self| match (&few, &b.few) {
+            (Some(_), Some(_)) => b.a.has_sizes_above(&a),
+            (None, None) => b.a.has_sizes_of(&a),
+            _ => false,
+        };
+        let other = others.find(is_like);
+        let step = other.map_or_else(
             || {
-                let most = F::int(1) / fastest(system, &a);
-                let step = if most < longest { most } else { free };
-                let sizes = transposed.map(|x| x.abs());
-                (step, Bound::new(&sizes, system.free, step, degree))
+                let most = reach / fastest(system, &a);
+                if most < longest { most } else { free }
             },
-            |other| (other.step, other.bound.clone()),
+            |other| other.step,
         );
-        let powers = Series { transposed: &transposed, step, bound: &bound, degree };
+        let bound = few.is_none().then(|| {
+            other
+                .and_then(|other| other.bound.clone())
+                .unwrap_or_else(|| Bound::new(&transposed.map(|x| x.abs()), system.free, step, degree))
+        });
         let mut guards = guards(system, modes, &tension, slips);
         guards.extend(releases(system, &stuck, &tension));
         guards.iter_mut().for_each(|guard| tie.iter().for_each(|tie| tie.substitute(&mut guard.row)));
@@ -150,6 +166,11 @@ impl<F: Float> Branch<F> {
         };
         let corners: Vec<F> = guards.iter().map(rounding_of_corner).collect();
         for (guard, &corner) in guards.iter_mut().zip(&corners) {
+            let Some(bound) = &bound else {
+                (guard.entries, guard.corner) = (entries(&guard.row), corner);
+                continue;
+            };
+            let powers = Series { transposed: &transposed, step, bound, degree };
             let terms = powers.terms(&guard.row, degree + 1);
             let rounding = powers.rounding(&guard.row);
             guard.error = powers.error_of(&rounding, &terms, degree + 1);
@@ -160,7 +181,7 @@ impl<F: Float> Branch<F> {
             guard.taylor = columns_of(&terms, system.size, degree + 1);
             all.push(terms);
         }
-        let splits = if system.splits {
+        let splits = if system.shortcuts {
             let roundings: Vec<_> = guards.iter().zip(corners).collect();
             Split::all(system, &a, &roundings, step, longest, degree)
         } else {
@@ -169,7 +190,10 @@ impl<F: Float> Branch<F> {
         let hull = Hull::new(system.size, all.iter().zip(low).map(|(terms, error)| Terms { terms, error }));
         let speed_errors = vec![OnceCell::new(); modes.len()];
         let mut terms = is_small::<F>(system.size).then(|| Propagator::zero(0, 0));
-        let whole = Propagator::new(&transposed, system.free, step, degree, terms.as_mut());
+        let whole = OnceCell::new();
+        if few.is_none() {
+            whole.get_or_init(|| Propagator::new(&transposed, system.free, step, degree, terms.as_mut()));
+        }
         let powers = other.filter(|b| b.a.moves_as(&a, system.free)).map(|b| b.powers.clone());
         Self {
             modes: modes.to_vec(),
@@ -177,6 +201,8 @@ impl<F: Float> Branch<F> {
             transposed,
             step,
             whole,
+            few,
+            free: system.free,
             powers: powers.unwrap_or_else(|| Rc::new(Powers::new())),
             terms,
             bound,
@@ -190,28 +216,52 @@ impl<F: Float> Branch<F> {
         }
     }
 
+    /// e^{Ah}.
+    pub(crate) fn whole(&self) -> &Propagator<F> {
+        let Self { transposed, free, step, degree, .. } = self;
+        self.whole.get_or_init(|| Propagator::new(transposed, *free, *step, *degree, None))
+    }
+
     /// Its memory in bytes.
     pub(crate) fn bytes(&self) -> usize {
         let guards =
             self.guards.iter().map(|guard| guard.taylor.entries() + 2 * guard.row.len()).sum::<usize>();
-        let speeds = self.speed_errors.len() * self.whole.free.rows().count();
+        let size = self.a.rows().count();
+        let speeds = if self.few.is_some() { 2 * size } else { self.speed_errors.len() * size };
         let hull = self.hull.coefficients.entries() + self.hull.errors.entries();
         let terms = self.terms.as_ref().map_or(0, Propagator::entries);
         let powers = self.powers.entries();
         let splits: usize = self.splits.iter().map(Split::entries).sum();
-        let entries = self.whole.entries() + splits + powers + terms + self.bound.entries() + hull;
+        let whole = self.whole.get().map_or(0, Propagator::entries);
+        let bound = self.bound.as_ref().map_or(0, Bound::entries);
+        let few = self.few.as_ref().map_or(0, Few::entries);
+        let entries = whole + splits + powers + terms + bound + hull + few;
         let tension = self.tension.iter().map(Vec::len).sum::<usize>();
         let sparse = 4 * self.a.rows().map(<[_]>::len).sum::<usize>();
         (guards + speeds + entries + tension + sparse) * size_of::<F>()
     }
 
     /// The error bound of the velocity of the contact at this place, by the row of that velocity.
-    pub(crate) fn speed_error(&self, element: usize, velocity: &[F]) -> &[F] {
-        let error = || {
-            let Self { transposed, step, bound, degree, .. } = self;
-            Series { transposed, step: *step, bound, degree: *degree }.error(velocity)
-        };
-        self.speed_errors.get(element).map_or(&[], |place| place.get_or_init(error))
+    pub(crate) fn speed_error(&self, element: usize, velocity: &[F], z: &[F]) -> F {
+        let Self { transposed, step, bound, degree, .. } = self;
+        if let Some(few) = &self.few {
+            return few.errors(&absolute(z), *step, *degree, |errors| size_of_dot(velocity, errors));
+        }
+        let Some(bound) = bound else { return F::int(0) };
+        let error = || Series { transposed, step: *step, bound, degree: *degree }.error(velocity);
+        self.speed_errors.get(element).map_or(F::int(0), |place| size_of_dot(place.get_or_init(error), z))
+    }
+
+    /// The error bounds of the polynomials of all guards over the step, at a state of these sizes.
+    pub(crate) fn errors(&self, sizes: &[F], result: &mut Vec<F>) {
+        result.clear();
+        let guards = self.guards.iter();
+        match &self.few {
+            Some(few) => few.errors(sizes, self.step, self.degree, |errors| {
+                result.extend(guards.map(|guard| guard.error_by(errors)));
+            }),
+            None => result.extend(guards.map(|guard| dot(&guard.error, sizes))),
+        }
     }
 
     /// Its longest step.
@@ -239,13 +289,14 @@ impl<F: Float> Branch<F> {
     /// Whether rounding cannot tell the velocity along an element from zero, by what it could be within a step.
     pub(crate) fn is_slow(&self, system: &Assembly<F>, element: usize, z: &[F]) -> bool {
         let Some(part) = system.parts.get(element) else { return false };
-        let bound = size_of_dot(self.speed_error(element, &part.velocity), z);
+        let bound = self.speed_error(element, &part.velocity, z);
         dot(&part.velocity, z).abs() <= bound * F::int(4)
     }
 
     /// How many Taylor terms are above rounding over a time t ≤ h.
     fn degree_over(&self, time: F) -> usize {
-        degree_over(time, self.step, self.degree)
+        let reach = self.few.as_ref().map_or(time, |few| time * few.reach);
+        degree_over(reach, self.step, self.degree)
     }
 
     /// The Taylor coefficients `Aᵏ z tᵏ/k!` over a time t ≤ h, one after the other in one list.
@@ -253,6 +304,36 @@ impl<F: Float> Branch<F> {
         terms.clear();
         terms.extend_from_slice(z);
         series(&self.a, time, self.degree_over(time), z.len(), terms);
+    }
+
+    /// All Taylor terms of full degree over a time t ≤ h.
+    pub(crate) fn all_terms(&self, z: &[F], time: F, terms: &mut Vec<F>) {
+        terms.clear();
+        terms.extend_from_slice(z);
+        series(&self.a, time, self.degree, z.len(), terms);
+    }
+
+    /// The state after a part of the time whose Taylor terms are given, which become those of the part.
+    pub(crate) fn after_part(&self, part: F, terms: &mut Vec<F>, after: &mut [F]) {
+        if part != F::int(1) {
+            shortened_terms(terms, after.len(), part, self.degree);
+        }
+        after.fill(F::int(0));
+        for term in terms.chunks_exact(after.len().max(1)).rev() {
+            add_times(after, F::int(1), term);
+        }
+    }
+
+    /// Moves columns over the free states by a time t ≤ h, by the series.
+    pub(crate) fn move_columns(&self, columns: &mut [Vec<F>], time: F) {
+        let mut together = Matrix::zero(self.free, columns.len());
+        for (j, column) in columns.iter().enumerate() {
+            column.iter().enumerate().for_each(|(i, &x)| together.set(i, j, x));
+        }
+        let moved = exponential(&self.a, together, time, self.degree_over(time), None);
+        for (i, row) in moved.rows().enumerate() {
+            columns.iter_mut().zip(row).for_each(|(column, &x)| set(column, i, x));
+        }
     }
 
     /// (e^{At})ᵀ for the first states, which no others depend on, over a time t ≤ h.
@@ -443,15 +524,4 @@ fn releases<F: Float>(system: &Assembly<F>, stuck: &[usize], tension: &[Vec<F>])
         }
     }
     guards
-}
-
-/// The degree from which on the terms of eˣ, x ≤ 1, are below rounding.
-fn degree_of_full_accuracy<F: Float>() -> usize {
-    let (mut degree, mut term) = (1, F::int(1));
-    let least = F::epsilon() / F::int(64);
-    while term > least {
-        degree += 1;
-        term = term / integer(degree + 1);
-    }
-    degree
 }

@@ -111,7 +111,7 @@ mod tests {
                 .collect()
         };
         branches.enter(&system, &modes(0));
-        let first = branches.current().unwrap().whole.clone();
+        let first = branches.current().unwrap().whole().clone();
         let mut most = 0;
         for k in 0..n {
             for forward in [true, false] {
@@ -127,7 +127,7 @@ mod tests {
         assert!(most <= MOST_BYTES && branches.known.len() < 2 * n + 1, "{most} {}", branches.known.len());
         assert!(branches.known.iter().all(|known| known.branch.modes != modes(0)));
         branches.enter(&system, &modes(0));
-        assert!(branches.current().unwrap().whole == first);
+        assert!(*branches.current().unwrap().whole() == first);
     }
 
     /// The matrices have no entry for a load that moves another load: a hundred times as many loads need a hundred times the memory.

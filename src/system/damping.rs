@@ -9,8 +9,9 @@
 //! At a coordinate that is free, g is M φ, so that `φᵀC φ = 2 ζ ω`, and `φᵢᵀC φⱼ = 0`. At one that is moved, g is what makes the damper notice
 //! the motion over that of the support alone: `g·q = 0` where the structure follows it without being strained.
 
-use super::assembly::{at_least, finite, massless, square};
+use super::assembly::massless;
 use super::error::Error;
+use super::given::{at_least, finite, square};
 use super::matrix::{Matrix, add_times, dot, set};
 use super::model::Model;
 use super::modes::{inverse_root, rounding_of};

@@ -6,6 +6,7 @@
 //! its limit lives in the quotient: the part of `P(z) − z` in U is the **drift**.
 
 use super::assembly::{Assembly, Driven, Rule, unit};
+use super::first_passage::integer;
 use super::matrix::{Matrix, add_times, dot, size_of_dot};
 use super::spring::stiffest;
 use crate::float::Float;
@@ -62,7 +63,10 @@ impl<F: Float> Drift<F> {
                 row.iter().enumerate().for_each(|(i, &x)| add_times(gram.row_mut(i), x / size, &row));
             }
         }
-        let (values, modes) = gram.symmetric_modes();
+        // A large matrix whose pivots are far above rounding is definite, and has no such displacement.
+        let is_definite = n > 32 && gram.cholesky(F::epsilon() * integer(64 * n)).is_ok();
+        let (values, modes) =
+            if is_definite { (Vec::new(), Matrix::zero(0, 0)) } else { gram.symmetric_modes() };
         // The values are squares, which are known to rounding; whether a weak spring notices a candidate is seen row by row.
         let none = F::epsilon() * F::int(64);
         let candidates = values.iter().zip(modes.rows()).filter(|(value, _)| **value <= none);

@@ -67,8 +67,7 @@ impl<F: Float> Equation<F> {
         let mut free = Matrix::zero(system.free, size);
         for i in 0..n {
             free.set(i, n + i, F::int(1));
-            let row = force.combined(system.inverse_mass.row(i));
-            free.row_mut(n + i).copy_from_slice(&row);
+            force.combine_few(system.inverse_mass.row(i), free.row_mut(n + i));
         }
         for driven in &system.moved {
             free.row_mut(n + driven.coordinate).copy_from_slice(&driven.acceleration);

@@ -3,6 +3,7 @@
 use super::assembly::Assembly;
 use super::blow::{Blow, Reset};
 use super::branch::Branch;
+use super::mode::Mode;
 use super::propagator::Propagator;
 use super::split::Leap;
 use crate::float::Float;
@@ -36,6 +37,29 @@ named! {
         Rise = "rise",
         /// The quantity of a level passes its value downwards.
         Fall = "fall",
+    }
+}
+
+/// The kind of the event that leads from one mode to another.
+pub(crate) fn kind_of(old: Mode, new: Mode, touched: bool) -> Option<EventKind> {
+    match (old, new) {
+        (Mode::Stuck, Mode::Slides { .. }) => Some(EventKind::Slip),
+        (Mode::Slides { .. }, Mode::Stuck) => Some(EventKind::Stick),
+        (Mode::Slides { forward: a, .. }, Mode::Slides { forward: b, .. }) if a != b => {
+            Some(EventKind::Reverse)
+        }
+        (Mode::Slides { .. }, Mode::Slides { .. }) if touched => Some(EventKind::Touch),
+        (Mode::Apart, Mode::Stuck | Mode::Slides { .. } | Mode::Holds | Mode::Yields { .. }) => {
+            Some(EventKind::Close)
+        }
+        (Mode::Stuck | Mode::Slides { .. } | Mode::Holds | Mode::Yields { .. }, Mode::Apart) => {
+            Some(EventKind::Open)
+        }
+        (Mode::Holds, Mode::Yields { .. }) => Some(EventKind::Yield),
+        (Mode::Yields { .. }, Mode::Holds) => Some(EventKind::Lock),
+        (Mode::Away | Mode::Lifted, Mode::Pressed | Mode::Resting) => Some(EventKind::Close),
+        (Mode::Pressed | Mode::Resting, Mode::Away | Mode::Lifted) => Some(EventKind::Open),
+        _ => None,
     }
 }
 
@@ -87,6 +111,8 @@ pub(crate) struct Stretch<'a, F> {
     pub(crate) at: F,
     /// e^{At} over its time, where it is known.
     pub(crate) motion: Option<&'a Propagator<F>>,
+    /// The Taylor terms of the state over its time, where they are known.
+    pub(crate) terms: Option<&'a [F]>,
     /// Whether it is a whole step of the branch, which goes on.
     pub(crate) is_whole: bool,
     /// Set where it is a long step, without the fast modes of the branch.
@@ -96,9 +122,13 @@ pub(crate) struct Stretch<'a, F> {
 impl<F: Float> Stretch<'_, F> {
     /// The Taylor terms of the state, in a long step without the fast modes.
     pub(crate) fn taylor(&self, terms: &mut Vec<F>) {
-        match &self.leap {
-            Some(leap) => leap.taylor(self.from, terms),
-            None => self.branch.taylor(self.from, self.time, terms),
+        match (&self.leap, self.terms) {
+            (Some(leap), _) => leap.taylor(self.from, terms),
+            (None, Some(known)) => {
+                terms.clear();
+                terms.extend_from_slice(known);
+            }
+            (None, None) => self.branch.taylor(self.from, self.time, terms),
         }
     }
 }

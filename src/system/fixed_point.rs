@@ -9,6 +9,7 @@
 //! of I − J, and is `(I − J) y` with `(I − J)² y = P(x) − x`. The point of the manifold is then right to first order in the distance only.
 
 use super::error::Error;
+use super::few::is_large;
 use super::matrix::{Matrix, add_times, dot};
 use super::period_map::{Mapped, PeriodMap};
 use super::precision::small;
@@ -146,7 +147,8 @@ pub(super) fn newton<F: Float>(
         let (least, was_closed) =
             best.as_ref().map_or((F::int(0), false), |b| (b.by, b.by <= closed && b.next <= closed.sqrt()));
         // Rounding of the map stalls it, and a fixed point that is not there.
-        let stalls = round > 0 && by * F::int(2) > least && (was_closed || round > 3);
+        let most = if is_large(map.system) { 1 } else { 3 };
+        let stalls = round > 0 && by * F::int(2) > least && (was_closed || round > most);
         if best.is_none() || by <= least {
             let (multipliers, kept) = (Vec::new(), kept.len());
             best =

@@ -1,14 +1,14 @@
 //! The motion, from event to event.
 
 mod choose;
+mod passage;
 
 use super::assembly::{Assembly, Part, Rule};
 use super::blow::{Blows, Strike};
-use super::branch::{Branch, LOW_COUNT};
+use super::branch::Branch;
 use super::branches::Branches;
 use super::error::Error;
-use super::events::{Event, EventKind, Stretch, Watch};
-use super::first_passage::{first_passage, passage_at_end, shortened};
+use super::events::{Event, EventKind, Stretch, Watch, kind_of};
 use super::guard::Trigger;
 use super::kept::Kept;
 use super::massless;
@@ -396,56 +396,24 @@ impl<'a, F: Float> Follower<'a, F> {
             return Ok(Vec::new());
         }
         let Some(branch) = self.branches.current() else { return Ok(Vec::new()) };
-        branch.hull.at(&self.z, &self.sizes, &mut self.values, &mut self.errors);
         let whole = rest >= branch.step;
         let time = if whole { branch.step } else { rest };
-        let certain = |(values, &error): (&[F; LOW_COUNT], &F)| values.iter().all(|&value| value > error);
-        let values = self.values.as_chunks().0;
-        let clear = values.iter().zip(&self.errors).all(certain);
-        let mut event: Option<(F, usize)> = None;
+        let event = self.first_event(time)?;
         let is_near = self.blows.is_near();
-        if !clear || is_near {
-            let open = values.iter().zip(&self.errors).map(certain);
-            for ((number, guard), is_certain) in branch.guards.iter().enumerate().zip(open) {
-                if is_near {
-                    let state = (&*self.z, &*self.sizes);
-                    if let Some(found) = self.blows.passage(branch, guard, state, time / branch.step) {
-                        if let Some(at) = found
-                            && event.is_none_or(|(first, _)| at < first)
-                        {
-                            event = Some((at, number));
-                        }
-                        continue;
-                    }
-                }
-                if is_certain {
-                    continue;
-                }
-                let c = &mut self.terms;
-                guard.polynomial(&self.z, time / branch.step, c);
-                let error = dot(&guard.error, &self.sizes);
-                if !(error.is_finite() && c.iter().all(|c| c.is_finite())) {
-                    return Err(Error::Unbounded { time: written(self.time()) });
-                }
-                let found = first_passage(shortened(c, error), error);
-                let found = found.or_else(|| passage_at_end(c, error, branch.step / time));
-                if let Some(at) = found
-                    && event.is_none_or(|(first, _)| at < first)
-                {
-                    event = Some((at, number));
-                }
-            }
-        }
+        let Some(branch) = self.branches.current() else { return Ok(Vec::new()) };
         let part = event.map_or(F::int(1), |(at, _)| at);
         let lasted = time * part;
         self.after.resize(self.z.len(), F::int(0));
-        let motion = if event.is_none() && whole {
-            Some(&branch.whole)
+        let motion = if branch.few.is_some() {
+            None
+        } else if event.is_none() && whole {
+            Some(branch.whole())
         } else {
             branch.motion(lasted, &mut self.terms, &mut self.motion).then_some(&self.motion)
         };
         match motion {
             Some(motion) => motion.of(&self.z, &mut self.after),
+            None if branch.few.is_some() => branch.after_part(part, &mut self.terms, &mut self.after),
             None => branch.after(&self.z, lasted, &mut self.terms, &mut self.after),
         }
         if !self.after.iter().all(|x| x.is_finite()) {
@@ -458,10 +426,9 @@ impl<'a, F: Float> Follower<'a, F> {
             let (from, to) = (&self.z, &self.after);
             let at = self.clock.value;
             let is_whole = event.is_none() && whole;
-            watch.stretch(
-                system,
-                &Stretch { branch, from, to, time: lasted, at, motion, is_whole, leap: None },
-            );
+            let terms = branch.few.as_ref().map(|_| self.terms.as_slice());
+            let stretch = Stretch { branch, from, to, time: lasted, at, motion, terms, is_whole, leap: None };
+            watch.stretch(system, &stretch);
         }
         // A flight between small blows takes its time.
         if lasted > branch.step * small(24) || (is_near && lasted > F::int(0)) {
@@ -504,7 +471,8 @@ impl<'a, F: Float> Follower<'a, F> {
             return Err(Error::Unbounded { time: written(self.time()) });
         }
         let (from, to, at) = (&*self.z, &*self.after, self.clock.value);
-        let stretch = Stretch { branch, from, to, time, at, motion: None, is_whole: false, leap: Some(leap) };
+        let (motion, terms, is_whole, leap) = (None, None, false, Some(leap));
+        let stretch = Stretch { branch, from, to, time, at, motion, terms, is_whole, leap };
         watch.stretch(system, &stretch);
         (self.at_sample, self.instant) = (false, 0);
         self.blows.moved(system, &self.sizes, F::int(1), time);
@@ -516,27 +484,6 @@ impl<'a, F: Float> Follower<'a, F> {
             self.clock = Sum::at(end);
         }
         Ok(true)
-    }
-
-    /// The guards that are zero now: the one found, and those that rounding cannot tell from it.
-    fn fired(&self, number: usize, is_forced: bool) -> Vec<Fired> {
-        let Some(branch) = self.branch() else { return Vec::new() };
-        let mut sizes = Vec::new();
-        sizes_of(self.system, branch, &self.z, &mut sizes);
-        let slopes = branch.derivative(&self.z);
-        let mut fired = Vec::new();
-        // The one that was found is the first.
-        let order = [number].into_iter().chain((0..branch.guards.len()).filter(|&i| i != number));
-        for (k, guard) in order.filter_map(|i| branch.guards.get(i)).enumerate() {
-            let doubt = dot(&guard.error, &sizes) * F::int(4);
-            let (value, slope) = (dot(&guard.row, &self.z), dot(&guard.row, &slopes));
-            // A velocity that has just begun is zero, too.
-            if k == 0 || (value <= doubt && slope * branch.step < -doubt) {
-                let (element, trigger, others) = (guard.element, guard.trigger, guard.others.clone());
-                fired.push(Fired { is_forced, element, trigger, others });
-            }
-        }
-        fired
     }
 
     /// Passes the events that have fired, and enters the next branch.
@@ -656,28 +603,5 @@ fn sizes_of<F: Float>(system: &Assembly<F>, branch: &Branch<F>, z: &[F], sizes: 
             let velocities = sizes.iter_mut().skip(n);
             velocities.zip(&part.response).for_each(|(size, share)| *size = *size + carried * share.abs());
         }
-    }
-}
-
-/// The kind of the event that leads from one mode to another.
-fn kind_of(old: Mode, new: Mode, touched: bool) -> Option<EventKind> {
-    match (old, new) {
-        (Mode::Stuck, Mode::Slides { .. }) => Some(EventKind::Slip),
-        (Mode::Slides { .. }, Mode::Stuck) => Some(EventKind::Stick),
-        (Mode::Slides { forward: a, .. }, Mode::Slides { forward: b, .. }) if a != b => {
-            Some(EventKind::Reverse)
-        }
-        (Mode::Slides { .. }, Mode::Slides { .. }) if touched => Some(EventKind::Touch),
-        (Mode::Apart, Mode::Stuck | Mode::Slides { .. } | Mode::Holds | Mode::Yields { .. }) => {
-            Some(EventKind::Close)
-        }
-        (Mode::Stuck | Mode::Slides { .. } | Mode::Holds | Mode::Yields { .. }, Mode::Apart) => {
-            Some(EventKind::Open)
-        }
-        (Mode::Holds, Mode::Yields { .. }) => Some(EventKind::Yield),
-        (Mode::Yields { .. }, Mode::Holds) => Some(EventKind::Lock),
-        (Mode::Away | Mode::Lifted, Mode::Pressed | Mode::Resting) => Some(EventKind::Close),
-        (Mode::Pressed | Mode::Resting, Mode::Away | Mode::Lifted) => Some(EventKind::Open),
-        _ => None,
     }
 }

@@ -4,6 +4,7 @@
 use super::assembly::Assembly;
 use super::branch::Branch;
 use super::error::Error;
+use super::few::is_large;
 use super::first_passage::integer;
 use super::fixed_point::{Fixed, newton};
 use super::follow::Follower;
@@ -54,7 +55,9 @@ pub(crate) fn steady<'a, F: Float>(
         let followed = following.followed;
         let settled = following.back(1) <= F::epsilon() * F::int(2);
         if followed >= next || (settled && !refused) {
-            next = next.max(followed.saturating_mul(2));
+            // Of a large system a derivative takes as long as many periods.
+            let later = if is_large(system) { 4 } else { 2 };
+            next = next.max(followed.saturating_mul(later));
             if let Some(found) = look(&mut following)? {
                 return Ok(found);
             }
@@ -95,7 +98,8 @@ fn look<F: Float>(following: &mut Following<'_, F>) -> Result<Option<Steady<F>>,
             continue;
         }
         // Motions of many periods are looked for where the followed one almost repeats itself.
-        if multiple > 8 && following.back(multiple) > F::ratio(1, 1000) {
+        let few = if is_large(following.map.system) { 1 } else { 8 };
+        if multiple > few && following.back(multiple) > F::ratio(1, 1000) {
             continue;
         }
         let (from, before) = (following.now(), following.map.follower.saved());

@@ -39,7 +39,11 @@ pub(crate) struct Guard<F> {
     pub(crate) row: Vec<F>,
     /// The other contacts of dependent directions that are released with this one.
     pub(crate) others: Vec<(usize, bool)>,
-    /// The row whose product with |z| bounds the error of the Taylor polynomial of full degree.
+    /// The entries of the row that are not zero, where the branch has few.
+    pub(crate) entries: Vec<(usize, F)>,
+    /// The rounding of a corner of a law, where the branch has few entries.
+    pub(crate) corner: F,
+    /// The row whose product with |z| bounds the error of the Taylor polynomial of full degree, where the branch has many entries.
     pub(crate) error: Vec<F>,
     /// For each state its part of the Taylor coefficients over the step.
     pub(crate) taylor: Matrix<F>,
@@ -47,7 +51,8 @@ pub(crate) struct Guard<F> {
 
 impl<F: Float> Guard<F> {
     pub(super) fn new(element: usize, trigger: Trigger, row: Vec<F>, others: Vec<(usize, bool)>) -> Self {
-        Self { element, trigger, row, others, error: Vec::new(), taylor: Matrix::zero(0, 0) }
+        let (entries, error, taylor) = (Vec::new(), Vec::new(), Matrix::zero(0, 0));
+        Self { element, trigger, row, others, entries, corner: F::int(0), error, taylor }
     }
 
     /// The Taylor polynomial at z over a part of the step.
@@ -128,6 +133,17 @@ pub(super) fn degree_over<F: Float>(time: F, step: F, degree: usize) -> usize {
             term <= least
         })
         .unwrap_or(degree)
+}
+
+/// The degree from which on the terms of eˣ, x ≤ `most`, are below rounding.
+pub(super) fn degree_of_full_accuracy<F: Float>(most: F) -> usize {
+    let (mut degree, mut term) = (1, most);
+    let least = F::epsilon() / F::int(64);
+    while term > least {
+        degree += 1;
+        term = term * most / integer(degree + 1);
+    }
+    degree
 }
 
 /// The matrix whose columns are the first vectors of this size in a list.

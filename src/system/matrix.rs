@@ -4,6 +4,7 @@
 use crate::float::Float;
 use alloc::vec;
 use alloc::vec::Vec;
+use nalgebra::{DMatrix, SymmetricEigen};
 
 /// `Σ aᵢbᵢ`.
 pub(crate) fn dot<F: Float>(a: &[F], b: &[F]) -> F {
@@ -67,6 +68,11 @@ pub(crate) fn clear<F: Float>(row: &mut [F], place: usize) {
 /// Whether whole matrices of this size are cheap at this precision.
 pub(crate) fn is_small<F: Float>(size: usize) -> bool {
     size <= 8 && F::precision() <= 64
+}
+
+/// Whether what is zero is skipped in matrices of this size.
+const fn is_large(size: usize) -> bool {
+    size > 64
 }
 
 /// A matrix in row-major order. Each row is followed by zeros up to a multiple of four or eight, so that products work on whole
@@ -209,6 +215,14 @@ impl<F: Float> Sparse<F> {
     pub(crate) fn has_sizes_of(&self, other: &Self) -> bool {
         let same = |(a, b): (&(usize, F), &(usize, F))| a.0 == b.0 && a.1.abs() == b.1.abs();
         self.ends == other.ends && self.entries.iter().zip(&other.entries).all(same)
+    }
+
+    /// Whether no entry of another matrix is larger.
+    pub(crate) fn has_sizes_above(&self, other: &Self) -> bool {
+        self.rows().zip(other.rows()).all(|(above, row)| {
+            let mut above = above.iter();
+            row.iter().all(|&(j, x)| above.any(|&(i, y)| i == j && y.abs() >= x.abs()))
+        })
     }
 
     /// Whether the leading rows and columns of another matrix are the same.
@@ -370,7 +384,11 @@ impl<F: Float> Matrix<F> {
     pub(crate) fn times(&self, other: &Self) -> Self {
         let rows = self.rows().count();
         let mut result = Self::zero(rows, other.columns);
-        self.product(other, &mut result);
+        if is_large(self.columns) {
+            self.rows().enumerate().for_each(|(i, row)| other.combine_few(row, result.row_mut(i)));
+        } else {
+            self.product(other, &mut result);
+        }
         result
     }
 
@@ -434,17 +452,52 @@ impl<F: Float> Matrix<F> {
         result
     }
 
+    /// `Σ xᵢ (row i)` into zeros, where many xᵢ may be zero.
+    pub(crate) fn combine_few(&self, x: &[F], result: &mut [F]) {
+        if !is_large(self.columns) {
+            return self.transposed_of(x, result);
+        }
+        for (&x, row) in x.iter().zip(self.rows()).filter(|(x, _)| **x != F::int(0)) {
+            add_times(result, x, row);
+        }
+    }
+
     /// Cholesky's factor's test and the inverse of a symmetric positive definite matrix; the failing pivot
     /// otherwise, with its value.
     pub(crate) fn inverse_of_definite(&self) -> Result<Self, (usize, F)> {
         let n = self.columns;
+        let l = self.cholesky(F::epsilon())?;
+        // L⁻¹ row by row, then M⁻¹ = L⁻ᵀL⁻¹.
+        let mut inverse = Self::zero(n, n);
+        let mut known = Vec::new();
+        for (i, row) in l.rows().enumerate() {
+            known.clear();
+            known.resize(i, F::int(0));
+            for (&x, before) in row.iter().take(i).zip(inverse.rows()).filter(|(x, _)| **x != F::int(0)) {
+                add_times(&mut known, x, before);
+            }
+            let pivot = at(row, i);
+            let own = inverse.row_mut(i);
+            own.iter_mut().zip(&known).for_each(|(to, &known)| *to = -known / pivot);
+            set(own, i, F::int(1) / pivot);
+        }
+        Ok(inverse.transposed().times(&inverse))
+    }
+
+    /// Cholesky's factor L of a symmetric matrix whose pivots are above `least` of its diagonal; the first other pivot, with its value.
+    pub(crate) fn cholesky(&self, least: F) -> Result<Self, (usize, F)> {
+        let n = self.columns;
         let mut l = Self::zero(n, n);
-        for i in 0..n {
-            for j in 0..=i {
-                let (left, right) = (l.row(i), l.row(j));
-                let rest = self.at(i, j) - dot(left.get(..j).unwrap_or(&[]), right.get(..j).unwrap_or(&[]));
+        let first = |row: &[F]| row.iter().position(|x| *x != F::int(0)).unwrap_or(n);
+        let begins: Vec<usize> = self.rows().map(first).collect();
+        for (i, &begin) in begins.iter().enumerate() {
+            // What is zero before the first entry of a row is zero in L, too.
+            for (j, &other) in begins.iter().enumerate().take(i + 1).skip(begin) {
+                let from = begin.max(other).min(j);
+                let part = |row: usize| l.row(row).get(from..j).unwrap_or(&[]);
+                let rest = self.at(i, j) - dot(part(i), part(j));
                 if i == j {
-                    if rest <= F::epsilon() * self.at(i, i) {
+                    if rest <= least * self.at(i, i) {
                         return Err((i, rest));
                     }
                     l.set(i, i, rest.sqrt());
@@ -453,22 +506,48 @@ impl<F: Float> Matrix<F> {
                     l.set(i, j, rest / pivot);
                 }
             }
-        }
-        // L⁻¹, then M⁻¹ = L⁻ᵀL⁻¹.
-        let mut inverse = Self::zero(n, n);
-        for j in 0..n {
-            for i in j..n {
-                let known = (j..i).fold(F::int(0), |sum, k| sum + l.at(i, k) * inverse.at(k, j));
-                let right = F::int(i32::from(i == j));
-                inverse.set(i, j, (right - known) / l.at(i, i));
+            if begin > i {
+                return Err((i, self.at(i, i)));
             }
         }
-        Ok(inverse.transposed().times(&inverse))
+        Ok(l)
     }
 
-    /// The eigenvalues and eigenvectors (as rows) of a symmetric matrix, by Jacobi's rotations.
+    /// This matrix for an eigenvalue problem of nalgebra, where it is large and its numbers have no more digits than doubles. The page has
+    /// no room for it.
+    fn for_nalgebra(&self) -> Option<DMatrix<f64>> {
+        if cfg!(target_arch = "wasm32") {
+            return None;
+        }
+        let n = self.columns;
+        let is_plain = n > 32 && size_of::<F>() <= size_of::<f64>();
+        let matrix = is_plain.then(|| DMatrix::from_fn(n, n, |i, j| self.at(i, j).to_f64()));
+        matrix.filter(|matrix| matrix.iter().all(|x| x.is_finite()))
+    }
+
+    /// The eigenvalues of a symmetric matrix.
+    pub(crate) fn symmetric_values(&self) -> Vec<F> {
+        match self.for_nalgebra() {
+            Some(matrix) => matrix.symmetric_eigenvalues().iter().map(|&x| F::from_f64(x)).collect(),
+            None => self.symmetric_modes().0,
+        }
+    }
+
+    /// The eigenvalues and eigenvectors (as rows) of a symmetric matrix, by Jacobi's rotations, and of a large one by tridiagonal matrices.
     pub(crate) fn symmetric_modes(&self) -> (Vec<F>, Self) {
         let n = self.columns;
+        let is_diagonal = || {
+            self.rows()
+                .enumerate()
+                .all(|(i, row)| row.iter().enumerate().all(|(j, x)| i == j || *x == F::int(0)))
+        };
+        if let Some(found) = self.for_nalgebra().filter(|_| !is_diagonal()).map(SymmetricEigen::new) {
+            let mut vectors = Self::zero(n, n);
+            for (k, column) in found.eigenvectors.column_iter().enumerate() {
+                column.iter().enumerate().for_each(|(i, &x)| vectors.set(k, i, F::from_f64(x)));
+            }
+            return (found.eigenvalues.iter().map(|&x| F::from_f64(x)).collect(), vectors);
+        }
         let (mut a, mut v) = (self.clone(), Self::identity(n));
         // Each sweep at least squares the part off the diagonal, once it is small.
         for _ in 0..F::precision() {

@@ -98,7 +98,7 @@ fn frequencies<F: Float>(operator: &Matrix<F>, count: usize) -> Vec<F> {
     if !is_symmetric {
         return unsymmetric(operator, count);
     }
-    let (mut squares, _) = operator.symmetric_modes();
+    let mut squares = operator.symmetric_values();
     squares.sort_by(|a, b| a.partial_cmp(b).unwrap_or(core::cmp::Ordering::Equal));
     squares.truncate(count);
     let root = |square: F| {
@@ -141,7 +141,7 @@ pub(super) fn inverse_root<F: Float>(mass: &Matrix<F>) -> Matrix<F> {
     let mut root = Matrix::zero(n, n);
     for (k, value) in values.iter().enumerate() {
         let v: Vec<F> = (0..n).map(|i| vectors.at(k, i)).collect();
-        for (i, &x) in v.iter().enumerate() {
+        for (i, &x) in v.iter().enumerate().filter(|(_, x)| **x != F::int(0)) {
             add_times(root.row_mut(i), x / value.sqrt(), &v);
         }
     }

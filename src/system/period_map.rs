@@ -70,14 +70,16 @@ impl<F: Float> Watch<F> for Seen<F> {
         if self.tangent.is_none() {
             return;
         }
-        if stretch.is_whole {
+        let are_few = |tangent: &Vec<Vec<F>>| tangent.len() * 16 <= system.free;
+        let by_series = branch.few.is_some() && stretch.leap.is_none();
+        if stretch.is_whole && !(by_series && self.tangent.as_ref().is_some_and(are_few)) {
             match &mut self.pending {
                 Some((powers, times)) if Rc::ptr_eq(powers, &branch.powers) => {
                     *times = times.saturating_add(1)
                 }
                 _ => {
                     self.catch_up();
-                    branch.powers.begin(&branch.whole);
+                    branch.powers.begin(branch.whole());
                     self.pending = Some((branch.powers.clone(), 1));
                 }
             }
@@ -85,6 +87,9 @@ impl<F: Float> Watch<F> for Seen<F> {
         }
         self.catch_up();
         let Some(tangent) = &mut self.tangent else { return };
+        if by_series {
+            return branch.move_columns(tangent, time);
+        }
         let part = stretch.motion.is_none().then(|| match &stretch.leap {
             Some(leap) => leap.free_motion(system.free),
             None => branch.free_motion(time, system.free),

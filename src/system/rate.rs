@@ -1,11 +1,12 @@
 //! The greatest rate at which a system changes, which bounds the steps of its motions.
 
 use super::System;
-use super::assembly::{Piece, Rule};
+use super::assembly::Rule;
 use super::branch::Branch;
 use super::equation::{Equation, fastest};
 use super::follow::most_steps;
 use super::mode::Mode;
+use super::pieces::Piece;
 use crate::float::Float;
 use alloc::vec::Vec;
 

@@ -3,10 +3,12 @@
 //! Each straight piece is a branch of the motion, and the passage from one to the next is an event without a name: the force is continuous
 //! there, and so is the derivative of the state. Beyond its points a law goes on straight.
 
-use super::assembly::{Assembly, Part, Piece, Rule, finite, straight_pieces};
+use super::assembly::{Assembly, Part, Rule};
 use super::error::Error;
+use super::given::finite;
 use super::matrix::{Matrix, add_times};
 use super::mode::Mode;
+use super::pieces::{Piece, straight_pieces};
 use crate::float::Float;
 use alloc::format;
 use alloc::vec;

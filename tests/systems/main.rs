@@ -9,6 +9,7 @@ mod compared;
 
 mod base;
 mod cases;
+mod chains;
 mod closed_form;
 mod clutches;
 mod damping;

@@ -279,7 +279,7 @@ impl<F: Float> Follower<'_, F> {
             {
                 // Its slider stops or turns with the body, but where the friction falls faster than the spring.
                 let velocity = sign::<F>(forward) * dot(&part.velocity, &self.z);
-                let rounding = size_of_dot(branch.speed_error(i, &part.velocity), &self.z) * F::int(4);
+                let rounding = branch.speed_error(i, &part.velocity, &self.z) * F::int(4);
                 if *stiffness * (velocity - rounding) <= dot(bound, &branch.derivative(&self.z)) {
                     lock(part, mode, &mut self.z);
                 }
