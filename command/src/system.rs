@@ -71,6 +71,9 @@ fn check_options(args: &SystemArgs) -> Outcome {
     uses("--until", args.until.is_some(), &[Q::Simulate, Q::Record, Q::Spectrum])?;
     uses("--samples", args.samples.is_some(), &[Q::Steady, Q::Simulate, Q::Record])?;
     uses("--frequency", args.frequency.is_some(), &[Q::Curve])?;
+    uses("--frequencies-below", args.frequencies_below.is_some(), &[Q::Describe])?;
+    let of_coordinates = [Q::Describe, Q::Steady, Q::Simulate, Q::Record, Q::Curve, Q::Spectrum];
+    uses("--coordinates", args.coordinates.is_some(), &of_coordinates)?;
     uses("--bits", args.bits.is_some(), &[Q::Steady, Q::Simulate, Q::Record, Q::Curve, Q::Border])?;
     uses("RECORD", !args.records.is_empty(), &[Q::Record, Q::Spectrum])?;
     let is_missing = |name: &str| Err(Failure::Input(format!("{name} is missing")));

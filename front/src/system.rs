@@ -21,6 +21,7 @@ mod node;
 mod one_body;
 mod proved;
 mod sentence;
+mod shown;
 mod signals;
 mod smooth;
 mod spring;
@@ -45,6 +46,7 @@ pub use proved::{Proved, ProvedSteady};
 pub use sentence::{
     border_verdict, digits_sentence, frequency_of, plural, sliding_verdict, steady_verdict, with_unit,
 };
+pub use shown::MOST_LISTED;
 pub use tabled::{Digits, OfTable};
 pub use typed::parsed_as_typed;
 pub use why::Why;

@@ -11,10 +11,11 @@ use rayon::prelude::*;
 use std::path::Path;
 use std::sync::Arc;
 use stickslip::motion::record::Record;
+use stickslip::system::State;
 use stickslip_front::inputs::units::{Kind, System as Units};
 use stickslip_front::system::{
-    Answer, Asked, Axis, Cell, Description, Grid, NamedSystem, OfBorder, Samples, Units as UnitsOf, Why,
-    decoded, parsed,
+    Answer, Asked, Axis, Cell, Description, Grid, NamedSystem, OfBorder, Units as UnitsOf, Why, decoded,
+    parsed,
 };
 use stickslip_front::text::Folder;
 
@@ -168,10 +169,17 @@ impl NativeSystem {
                 false => named.described.start.clone(),
             };
             let states = named.states(&start, &times)?;
-            let samples = Samples::new(&named.described, &times, &states);
-            let lists =
-                [samples.displacement, samples.velocity, samples.force, samples.absolute_acceleration];
-            Ok(lists.map(|list| list.concat()))
+            let all = |of: fn(&State<f64>) -> &[f64]| states.iter().flat_map(of).copied().collect();
+            let absolute: fn(&State<f64>) -> &[f64] = match named.described.base {
+                Some(_) => |state| &state.absolute_acceleration,
+                None => |_| &[],
+            };
+            Ok([
+                all(|state| &state.displacement),
+                all(|state| &state.velocity),
+                all(|state| &state.force),
+                all(absolute),
+            ])
         };
         let found = left_behind(py, work)?.map_err(refused)?;
         Ok(found.map(|column| column.into_pyarray(py)))

@@ -63,10 +63,11 @@ Examples:
   stickslip system machine.toml curve --frequency 1Hz:10Hz:100 --set bearing.friction=600N
   stickslip system machine.toml spectrum quake1.at2 quake2.at2 --set bearing.friction=300N:600N:7 --out grid.csv
   stickslip system machine.toml --picture machine.svg
+  stickslip system tower.toml steady --coordinates roof
   stickslip system machine.toml border")]
 pub(crate) struct SystemArgs {
-    /// The file of the system, TOML or JSON, - for standard input. At most 8 MiB and 200 coordinates, because the matrices are
-    /// dense and in memory
+    /// The file of the system, TOML or JSON, - for standard input. At most 8 MiB and 2,000 coordinates, 200 with --bits,
+    /// because the matrices are dense and in memory
     #[arg(value_name = "FILE")]
     pub(crate) file: PathBuf,
     /// describe, steady, simulate, record, spectrum, curve or border [default: describe]
@@ -84,6 +85,13 @@ pub(crate) struct SystemArgs {
     /// Time at which the motion ends, with simulate, or a value that is passed first: "box = 2 m", "box.velocity = 1 m/s"
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     pub(crate) until: Option<String>,
+    /// The coordinates that the answer and the picture show, such as roof,q17, or all [default: all in JSON and in rows, the first 24
+    /// in text, the first 40 in a picture]
+    #[arg(long, value_name = "NAMES", allow_hyphen_values = true)]
+    pub(crate) coordinates: Option<String>,
+    /// Greatest natural frequency that is shown, such as "50 Hz", with describe, where a bare number is in rad/s
+    #[arg(long, value_name = "FREQUENCY", allow_hyphen_values = true)]
+    pub(crate) frequencies_below: Option<String>,
     /// Evenly spaced states of the motion, with simulate, steady and record: displacements, velocities, forces, and absolute
     /// accelerations on a base that moves
     #[arg(long, value_name = "N", allow_hyphen_values = true)]

@@ -40,6 +40,10 @@ pub(super) fn named(
     let set = args.set.iter().map(|text| path_and_value(text)).collect::<Result<Vec<_>, _>>()?;
     let about = |e: String| Failure::Input(format!("{}: {e}", args.file.display()));
     let found = NamedSystem::new(value, set, folder(args), args.units.units.as_ref()).map_err(about)?;
+    let mut found = found;
+    if let Some(names) = &args.coordinates {
+        found.described.show("--coordinates", names)?;
+    }
     let (found, read) = match records.first() {
         Some(file) => {
             let (record, summary) =

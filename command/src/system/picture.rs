@@ -99,12 +99,15 @@ pub(super) fn motion(
 
 /// The coordinates of each panel with their places, and how many of how many they are.
 fn parts(described: &Described) -> Vec<(String, Vec<(usize, &String)>)> {
-    let count = described.coordinates.len();
-    let shown: Vec<_> = described.coordinates.iter().take(SHOWN).enumerate().collect();
+    let count = described.places().count();
+    let shown: Vec<_> = described.places().zip(described.shown(&described.coordinates)).take(SHOWN).collect();
+    let mut from = 0;
     let part = |names: &[(usize, _)]| {
-        let ends = names.first().zip(names.last()).filter(|_| count > TOGETHER);
-        let title = ends.map(|(first, last)| format!(", {} to {} of {count}", first.0 + 1, last.0 + 1));
-        (title.unwrap_or_default(), names.to_vec())
+        let to = from + names.len();
+        let title =
+            if count > TOGETHER { format!(", {} to {to} of {count}", from + 1) } else { String::new() };
+        from = to;
+        (title, names.to_vec())
     };
     shown.chunks(TOGETHER).map(part).collect()
 }
@@ -162,7 +165,7 @@ fn resolved_for_all(
     places.sort_by(|a, b| a.0.total_cmp(&b.0));
     let is_log = is_logarithmic(places.first().map_or(0.0, |p| p.0), places.last().map_or(0.0, |p| p.0));
     let (all, scattered) = (std::cell::Cell::new(0), std::cell::Cell::new(0));
-    for name in described.coordinates.iter().take(SHOWN) {
+    for name in described.shown(&described.coordinates).take(SHOWN) {
         let ends = ["max", "min"].map(|end| place_of(&format!("{name}.{end}_displacement")));
         let kind = place_of("kind");
         let is_scattered = |answer: &[Cell<'_>]| {
@@ -270,7 +273,7 @@ pub(super) fn curve(grid: &Grid<'_>, described: &Described, title: &str) -> Resu
             places.iter().zip(&heights).enumerate().map(place).collect::<Vec<_>>()
         };
         let slides = |k: usize| !sticks.get(k).copied().unwrap_or(false);
-        let is_one = described.coordinates.len() == 1;
+        let is_one = described.places().nth(1).is_none();
         let line = if is_one { Style::Line } else { Style::Marked(usize::MAX) };
         series.push(Series::new(name.to_owned(), line, i + 1, part(&slides)));
         series.push(Series::new("", Style::Dashed, i + 1, part(&beside)));
@@ -318,7 +321,7 @@ pub(super) fn title(described: &Described, question: &str) -> String {
 
 /// The coordinates, or of many their number, as a title.
 pub(super) fn heading(described: &Described, question: &str) -> String {
-    let names = &described.coordinates;
+    let names: Vec<&str> = described.shown(&described.coordinates).map(String::as_str).collect();
     let names =
         if names.len() > TOGETHER { format!("{} coordinates", names.len()) } else { names.join(", ") };
     format!("{question}: {names}")

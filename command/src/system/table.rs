@@ -79,9 +79,14 @@ fn grid(value: &Json, args: &SystemArgs) -> Result<Grid<'static>, Failure> {
         }
     };
     let units = args.units.units.map(kept);
-    Grid::new(kept(value.clone()), kept(folder(args).to_owned()), units, axes, kept(records), asked)
-        .map(|grid| grid.while_allowed(interrupt::keep_going))
-        .map_err(about)
+    let grid =
+        Grid::new(kept(value.clone()), kept(folder(args).to_owned()), units, axes, kept(records), asked)
+            .map_err(about)?
+            .while_allowed(interrupt::keep_going);
+    Ok(match &args.coordinates {
+        Some(names) => grid.showing("--coordinates", names)?,
+        None => grid,
+    })
 }
 
 pub(super) fn run(value: &Json, args: &SystemArgs, wide: Option<Answered>, out: &mut impl Write) -> Outcome {
@@ -127,6 +132,7 @@ impl Rows {
                 ("question".to_owned(), format!("{:?}", args.question)),
                 ("names".to_owned(), grid.names().join(",")),
                 ("grid".to_owned(), format!("{:?} {:?} {:?}", args.set, args.frequency, args.records)),
+                ("coordinates".to_owned(), args.coordinates.clone().unwrap_or_default()),
                 ("until".to_owned(), args.until.clone().unwrap_or_default()),
                 ("bits".to_owned(), args.bits.map_or_else(String::new, |bits| bits.to_string())),
                 ("shard".to_owned(), args.shard.clone().unwrap_or_default()),

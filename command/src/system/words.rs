@@ -12,8 +12,8 @@ use stickslip::system::{
 };
 use stickslip_front::inputs::units::{Kind as Of, System as Units};
 use stickslip_front::system::{
-    Described, Description, Digits, NamedSystem, border_verdict, digits_sentence, frequency_of, is_contact,
-    is_hard, kind_of, plural, sliding_verdict, steady_verdict, with_unit,
+    Described, Description, Digits, MOST_LISTED, NamedSystem, border_verdict, digits_sentence, frequency_of,
+    is_contact, is_hard, kind_of, plural, sliding_verdict, steady_verdict, with_unit,
 };
 
 /// A natural frequency, or the growth of a direction whose stiffness is negative.
@@ -27,10 +27,17 @@ fn own(units: Option<&Units>, omega: f64) -> String {
 
 /// What the file describes, with natural frequencies free and with contacts at rest.
 pub(super) fn describe(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Write) -> Outcome {
-    let (described, system) = (&asked.described, &asked.system);
+    let described = &asked.described;
+    let below = args.frequencies_below.as_deref();
+    let below =
+        below.map(|text| asked.reader().value("--frequencies-below", text, Of::Frequency)).transpose()?;
     let description = Description::new(asked);
     if super::is_json(args)? {
-        return output::json(&description, out);
+        let shown = match below {
+            Some(bound) => description.below(bound),
+            None => description,
+        };
+        return output::json(&shown, out);
     }
     let elements = &described.model.elements;
     let Description {
@@ -50,7 +57,8 @@ pub(super) fn describe(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Wr
         }
     }
     writeln!(out, "A system of {}.\n", parts.join(", "))?;
-    for (i, name) in described.coordinates.iter().enumerate() {
+    let named = || described.listed().filter_map(|i| Some((i, described.coordinates.get(i)?)));
+    for (i, name) in named() {
         let mass = described.model.mass.get(i).and_then(|row| row.get(i)).copied().unwrap_or(0.0);
         let moved = described.model.moved.iter().find(|moved| moved.coordinate == i);
         let text = match moved.map(|moved| moved.by) {
@@ -61,9 +69,11 @@ pub(super) fn describe(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Wr
         };
         line(out, name, text)?;
     }
-    for (place, element) in elements.iter().enumerate() {
+    more_coordinates(described, out)?;
+    for (place, element) in elements.iter().enumerate().take(MOST_LISTED) {
         line(out, &element.name, of_element(element, place, described, units))?;
     }
+    more(elements.len(), "contacts, stops and springs: all of them are in --format json", out)?;
     for (name, &force) in described.coordinates.iter().zip(&described.model.constant) {
         if force != 0.0 {
             line(out, "load", format!("{} on {name}, constant", with_unit(force, units, Of::Force)))?;
@@ -93,17 +103,27 @@ pub(super) fn describe(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Wr
             format!("{} at {at}", if loads.is_empty() { "none".into() } else { loads.join(", ") }),
         )?;
     }
-    let list = |frequencies: &[f64]| match frequencies {
-        [] => "none".to_owned(),
-        _ => frequencies.iter().map(|omega| own(units, *omega)).collect::<Vec<_>>().join(", "),
+    let list = |frequencies: &[f64]| {
+        let within = frequencies.iter().filter(|omega| below.is_none_or(|bound| **omega <= bound));
+        let mut texts: Vec<_> = within.take(MOST_LISTED).map(|omega| own(units, *omega)).collect();
+        let left = frequencies.len().saturating_sub(texts.len());
+        if texts.is_empty() {
+            texts.push("none".to_owned());
+        }
+        if let Some(last) = frequencies.last().filter(|_| left > 0) {
+            texts.push(format!("{left} more up to {}", own(units, *last)));
+        }
+        texts.join(", ")
     };
     writeln!(out, "\nNatural frequencies, without dampers")?;
     let has_contacts = elements.iter().any(is_contact);
     line(out, if has_contacts { "all contacts sliding" } else { "free" }, list(free))?;
     if elements.len() > 1 {
-        for (i, element) in elements.iter().enumerate().filter(|(_, e)| is_contact(e)) {
-            line(out, &format!("{} at rest", element.name), list(&system.natural_frequencies(&[i])))?;
+        let contacts = description.elements.iter().zip(elements).filter(|(_, element)| is_contact(element));
+        for (found, element) in contacts.clone().take(MOST_LISTED) {
+            line(out, &format!("{} at rest", element.name), list(&found.natural_frequencies_stuck))?;
         }
+        more(contacts.count(), "contacts at rest: all of them are in --format json", out)?;
     }
     if has_contacts {
         line(out, "all contacts at rest", list(stuck))?;
@@ -198,6 +218,9 @@ pub(super) fn digits_known(described: &Described, digits: Option<&Digits>, out: 
     Ok(())
 }
 
+/// A multiplier below it is rounding: that of the derivative of a period is some hundred units of a double.
+const ROUNDING_OF_MULTIPLIERS: f64 = 1e-12;
+
 /// The verdict on a steady motion.
 pub(super) fn steady(
     described: &Described,
@@ -210,7 +233,12 @@ pub(super) fn steady(
     writeln!(out)?;
     if found.kind == SteadyKind::Periodic && !found.multipliers.is_empty() {
         let largest = found.multipliers.iter().map(|(re, im)| re.hypot(*im)).fold(0.0, f64::max);
-        line(out, "a disturbance", format!("is multiplied by at most {} in this time", digits(largest)))?;
+        let by = if largest < ROUNDING_OF_MULTIPLIERS {
+            format!("less than {ROUNDING_OF_MULTIPLIERS:e}")
+        } else {
+            format!("at most {}", digits(largest))
+        };
+        line(out, "a disturbance", format!("is multiplied by {by} in this time"))?;
     }
     Ok(())
 }
@@ -252,8 +280,20 @@ pub(super) fn border<F: Value>(
     Ok(())
 }
 
-/// The most events that a text lists.
-const LISTED: usize = 24;
+/// How many of a list are not shown, and where they are.
+fn more(count: usize, what: &str, out: &mut impl Write) -> Outcome {
+    match count.checked_sub(MOST_LISTED) {
+        Some(left) if left > 0 => Ok(writeln!(out, "  and {left} more {what}")?),
+        _ => Ok(()),
+    }
+}
+
+/// How many coordinates a text does not list, unless they are chosen.
+fn more_coordinates(described: &Described, out: &mut impl Write) -> Outcome {
+    let count = described.places().count();
+    let is_cut = described.listed().count() < count;
+    more(if is_cut { count } else { 0 }, "coordinates: --coordinates NAMES shows those, or all", out)
+}
 
 /// A number as it is written.
 pub(super) fn shown<F: Value>(x: &F) -> Number {
@@ -285,7 +325,8 @@ pub(super) fn motion(described: &Described, motion: &Motion<Number>, out: &mut i
         |kind: Of| described.units.map_or_else(String::new, |system| format!(" {}", system.name(kind)));
     let work = |x: &Number| format!("{}{}", x.digits(), unit(Of::Energy));
     let (length, velocity) = (unit(Of::Length), unit(Of::Velocity));
-    for (i, name) in described.coordinates.iter().enumerate() {
+    let names = described.listed().filter_map(|i| Some((i, described.coordinates.get(i)?)));
+    for (i, name) in names {
         let at = |list: &[Number]| list.get(i).map_or_else(String::new, Number::digits);
         writeln!(out, "{name}")?;
         let range =
@@ -296,7 +337,9 @@ pub(super) fn motion(described: &Described, motion: &Motion<Number>, out: &mut i
             line(out, "absolute acceleration", format!("up to {}{}", most.digits(), unit(Of::Acceleration)))?;
         }
     }
-    for (element, found) in described.model.elements.iter().zip(&motion.elements) {
+    more_coordinates(described, out)?;
+    let elements = &described.model.elements;
+    for (element, found) in elements.iter().zip(&motion.elements).take(MOST_LISTED) {
         writeln!(out, "{} ({})", element.name, kind_of(element))?;
         let rest = match element.kind {
             Kind::Stop { .. } | Kind::HardStop { .. } => Some("open"),
@@ -314,6 +357,7 @@ pub(super) fn motion(described: &Described, motion: &Motion<Number>, out: &mut i
         }
         line(out, "work", work(&found.work))?;
     }
+    more(elements.len(), "contacts, stops and springs: all of them are in --format json", out)?;
     writeln!(out, "energy")?;
     line(out, "work of the loads", work(&motion.load_work))?;
     line(out, "work on the dampers", work(&motion.damper_work))?;
@@ -322,7 +366,7 @@ pub(super) fn motion(described: &Described, motion: &Motion<Number>, out: &mut i
         return Ok(writeln!(out, "no events")?);
     }
     writeln!(out, "events")?;
-    for event in motion.events.iter().take(LISTED) {
+    for event in motion.events.iter().take(MOST_LISTED) {
         let name = described.name_of(event.element);
         let seconds = if described.units.is_some() { " s" } else { "" };
         let from_to = event.velocities.as_ref().map_or_else(String::new, |(before, after)| {
@@ -330,9 +374,5 @@ pub(super) fn motion(described: &Described, motion: &Motion<Number>, out: &mut i
         });
         writeln!(out, "  {:>14}{seconds}  {name}: {}{from_to}", event.time.digits(), event.kind)?;
     }
-    if motion.events.len() > LISTED {
-        let more = motion.events.len() - LISTED;
-        writeln!(out, "  and {more} more: all of them are in --format json")?;
-    }
-    Ok(())
+    more(motion.events.len(), "events: all of them are in --format json", out)
 }

@@ -4,6 +4,7 @@
 mod digits;
 mod drives;
 mod joints;
+mod many;
 mod pictures;
 mod questions;
 

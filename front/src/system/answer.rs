@@ -9,13 +9,14 @@ use stickslip::system::{Border, Cycle, Element, Kind, Motion, State, Steady};
 /// Displacements and velocities.
 #[derive(Debug, Clone, Serialize)]
 struct Place<'a, N> {
-    displacement: &'a [N],
-    velocity: &'a [N],
+    displacement: Vec<&'a N>,
+    velocity: Vec<&'a N>,
 }
 
 impl<'a, N> Place<'a, N> {
-    const fn of(state: &'a State<N>) -> Self {
-        Self { displacement: state.displacement.as_slice(), velocity: state.velocity.as_slice() }
+    fn of(described: &'a Described, state: &'a State<N>) -> Self {
+        let part = |list: &'a [N]| described.shown(list).collect();
+        Self { displacement: part(&state.displacement), velocity: part(&state.velocity) }
     }
 }
 
@@ -54,17 +55,18 @@ pub struct Answer<'a, N = f64> {
     period: Option<&'a N>,
     #[serde(skip_serializing_if = "Option::is_none")]
     duration: Option<&'a N>,
-    coordinates: &'a [String],
+    /// All, or those that are chosen; the lists below have one entry for each.
+    coordinates: Vec<&'a String>,
     start: Place<'a, N>,
     #[serde(skip_serializing_if = "Option::is_none")]
     end: Option<Place<'a, N>>,
-    max_displacement: &'a [N],
-    min_displacement: &'a [N],
-    max_velocity: &'a [N],
-    min_velocity: &'a [N],
+    max_displacement: Vec<&'a N>,
+    min_displacement: Vec<&'a N>,
+    max_velocity: Vec<&'a N>,
+    min_velocity: Vec<&'a N>,
     /// On a base that moves.
-    #[serde(skip_serializing_if = "<[N]>::is_empty")]
-    max_absolute_acceleration: &'a [N],
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    max_absolute_acceleration: Vec<&'a N>,
     elements: Vec<OfElement<'a, N>>,
     events: Vec<OfEvent<'a, N>>,
     load_work: &'a N,
@@ -72,9 +74,9 @@ pub struct Answer<'a, N = f64> {
     stored_energy: &'a N,
     /// The displacement of each coordinate in a period that no force notices, and the mean velocity.
     #[serde(skip_serializing_if = "Option::is_none")]
-    drift: Option<&'a [N]>,
+    drift: Option<Vec<&'a N>>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    mean_velocity: Option<&'a [N]>,
+    mean_velocity: Option<Vec<&'a N>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     multipliers: Option<&'a [(f64, f64)]>,
     /// The change of the motion over the last period that was followed, relative to its size, and the factor of this change from period to
@@ -166,18 +168,19 @@ impl<'a, N> Answer<'a, N> {
         let elements = described.model.elements.iter().zip(&motion.elements);
         let units = Units::of(described)
             .map(|(units, system)| Units { work: Some(system.name(Of::Energy)), ..units });
+        let part = |list: &'a [N]| described.shown(list).collect();
         Self {
             kind,
             period: None,
             duration: None,
-            coordinates: &described.coordinates,
-            start: Place::of(start),
+            coordinates: described.shown(&described.coordinates).collect(),
+            start: Place::of(described, start),
             end: None,
-            max_displacement: &motion.max_displacement,
-            min_displacement: &motion.min_displacement,
-            max_velocity: &motion.max_velocity,
-            min_velocity: &motion.min_velocity,
-            max_absolute_acceleration: &motion.max_absolute_acceleration,
+            max_displacement: part(&motion.max_displacement),
+            min_displacement: part(&motion.min_displacement),
+            max_velocity: part(&motion.max_velocity),
+            min_velocity: part(&motion.min_velocity),
+            max_absolute_acceleration: part(&motion.max_absolute_acceleration),
             elements: elements
                 .map(|(element, found)| OfElement {
                     name: &element.name,
@@ -220,7 +223,7 @@ impl<'a, N> Answer<'a, N> {
     pub fn from_start(described: &'a Described, start: &'a State<N>, motion: &'a Motion<N>) -> Self {
         Self {
             duration: Some(&motion.duration),
-            end: Some(Place::of(&motion.end)),
+            end: Some(Place::of(described, &motion.end)),
             ..Self::of(described, motion, start, "transient")
         }
     }
@@ -232,8 +235,8 @@ impl<'a, N> Answer<'a, N> {
             periods: Some(found.periods),
             periods_followed: Some(found.followed),
             disturbance_growth: Some(found.disturbance_growth),
-            drift: Some(&found.drift),
-            mean_velocity: Some(&found.mean_velocity),
+            drift: Some(described.shown(&found.drift).collect()),
+            mean_velocity: Some(described.shown(&found.mean_velocity).collect()),
             multipliers: Some(&found.multipliers),
             change: Some(&found.change),
             decay: Some(&found.decay),
@@ -253,18 +256,19 @@ impl<'a> Answer<'a> {
 /// States at times.
 #[derive(Debug, Serialize)]
 pub struct Samples<'a, N = f64> {
-    coordinates: &'a [String],
+    /// All, or those that are chosen.
+    coordinates: Vec<&'a String>,
     elements: Vec<&'a str>,
     time: &'a [N],
     /// At each time, of each coordinate.
-    pub displacement: Vec<&'a [N]>,
+    pub displacement: Vec<Vec<&'a N>>,
     /// At each time, of each coordinate.
-    pub velocity: Vec<&'a [N]>,
+    pub velocity: Vec<Vec<&'a N>>,
     /// At each time, of each element on the bodies.
     pub force: Vec<&'a [N]>,
     /// At each time, of each coordinate, on a base that moves.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub absolute_acceleration: Vec<&'a [N]>,
+    pub absolute_acceleration: Vec<Vec<&'a N>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     units: Option<Units>,
 }
@@ -273,15 +277,18 @@ impl<'a, N> Samples<'a, N> {
     /// The states at these times.
     #[must_use]
     pub fn new(described: &'a Described, time: &'a [N], states: &'a [State<N>]) -> Self {
+        let part = |list: fn(&State<N>) -> &[N]| -> Vec<Vec<&'a N>> {
+            states.iter().map(|state| described.shown(list(state)).collect()).collect()
+        };
         Self {
-            coordinates: &described.coordinates,
+            coordinates: described.shown(&described.coordinates).collect(),
             elements: described.model.elements.iter().map(|element| element.name.as_str()).collect(),
             time,
-            displacement: states.iter().map(|state| &*state.displacement).collect(),
-            velocity: states.iter().map(|state| &*state.velocity).collect(),
+            displacement: part(|state| &state.displacement),
+            velocity: part(|state| &state.velocity),
             force: states.iter().map(|state| &*state.force).collect(),
             absolute_acceleration: if described.base.is_some() {
-                states.iter().map(|state| &*state.absolute_acceleration).collect()
+                part(|state| &state.absolute_acceleration)
             } else {
                 Vec::new()
             },
@@ -316,8 +323,10 @@ impl<'a, N> Samples<'a, N> {
     {
         let states = self.displacement.iter().zip(&self.velocity).zip(&self.force);
         self.time.iter().zip(states).enumerate().map(|(i, (time, ((displacement, velocity), force)))| {
-            let absolute = self.absolute_acceleration.get(i).copied().unwrap_or(&[]);
-            [core::slice::from_ref(time), *displacement, *velocity, *force, absolute].concat()
+            let absolute = self.absolute_acceleration.get(i).map_or(&[][..], Vec::as_slice);
+            let states = displacement.iter().chain(velocity).copied();
+            let all = std::iter::once(time).chain(states).chain(force.iter()).chain(absolute.iter().copied());
+            all.cloned().collect()
         })
     }
 }

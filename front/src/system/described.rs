@@ -1,13 +1,15 @@
 //! A system as its file describes it, and the parts that bodies by name and matrices share.
 
 use super::laws::Law as Curved;
-use super::node::{Fields, Node, Number};
+use super::node::{Fields, Node, Number, is_double};
 use crate::inputs::units::{Kind as Of, Reader, System as Units};
 use stickslip::motion::record::Record as Measured;
 use stickslip::system::{Base, Beyond, Error, Law, Level, Model, Record, Signal, State, System};
 
-/// The greatest number of coordinates: the matrices are dense.
-pub(super) const MOST_COORDINATES: usize = 200;
+/// The greatest number of coordinates: the matrices are dense, 0.5 GB of them.
+pub(super) const MOST_COORDINATES: usize = 2000;
+/// That of numbers with more bits than a double, whose matrices take far more memory and time.
+const MOST_OF_MANY_BITS: usize = 200;
 /// The greatest number of elements.
 pub(super) const MOST_ELEMENTS: usize = 200;
 /// The greatest number of frequencies of the loads: beyond it each step takes more than a millisecond.
@@ -38,6 +40,8 @@ pub struct Described<F = f64> {
     pub base: Option<Base<F>>,
     /// The laws that are curves.
     pub(super) laws: Vec<Curved>,
+    /// The places of the coordinates that are chosen for answers; `None` are all.
+    pub(super) shown: Option<Vec<usize>>,
 }
 
 impl<F: Number> Described<F> {
@@ -90,9 +94,15 @@ impl<F: Number> Described<F> {
         }
     }
 
-    /// This system, where its loads have room in memory.
+    /// This system, where its matrices and loads have room in memory.
     pub(super) fn checked(self) -> Result<Self, String> {
         let Model { mass, harmonics, records, elements, .. } = &self.model;
+        let n = mass.len();
+        if n > MOST_OF_MANY_BITS && !is_double::<F>() {
+            return Err(format!(
+                "{n} coordinates, must be ≤ {MOST_OF_MANY_BITS} with more bits than a double has"
+            ));
+        }
         let each = mass.len().saturating_mul(4).saturating_add(elements.len().saturating_mul(70));
         let most = MOST_NUMBERS_OF_LOADS.checked_div(each).unwrap_or(MOST_FREQUENCIES);
         let found = harmonics.len().saturating_add(records.len());

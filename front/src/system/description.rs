@@ -8,8 +8,8 @@ use stickslip::system::{Element, Kind, Model, System};
 /// The system in words and numbers.
 #[derive(Debug, Clone, Serialize)]
 pub struct Description<'a> {
-    /// The names of the coordinates.
-    pub coordinates: &'a [String],
+    /// The names of the coordinates, or of those that are chosen.
+    pub coordinates: Vec<&'a String>,
     /// The elements.
     pub elements: Vec<OfElement<'a>>,
     /// In rad/s, or in radians per unit of time for matrices, with all contacts sliding, those on a side that travels in one
@@ -96,6 +96,15 @@ fn coupled(element: &Element<f64>) -> Option<f64> {
 }
 
 impl<'a> Description<'a> {
+    /// This description without the natural frequencies above a bound.
+    #[must_use]
+    pub fn below(mut self, bound: f64) -> Self {
+        let own = [&mut self.natural_frequencies, &mut self.natural_frequencies_stuck];
+        let elements = self.elements.iter_mut().map(|element| &mut element.natural_frequencies_stuck);
+        own.into_iter().chain(elements).for_each(|list| list.retain(|omega| *omega <= bound));
+        self
+    }
+
     /// The description of a system.
     #[must_use]
     pub fn new(of: &'a NamedSystem) -> Self {
@@ -109,7 +118,7 @@ impl<'a> Description<'a> {
             natural_frequencies_stuck: system.natural_frequencies(&[i]),
         };
         Self {
-            coordinates: &described.coordinates,
+            coordinates: described.shown(&described.coordinates).collect(),
             elements: elements.iter().enumerate().map(element).collect(),
             rigid_modes: natural_frequencies.iter().filter(|omega| **omega == 0.0).count(),
             natural_frequencies,

@@ -12,7 +12,7 @@ use serde_json::Value;
 use std::ops::ControlFlow;
 use std::path::Path;
 use stickslip::motion::record::Record;
-use stickslip::system::{Element, Motion, Steady};
+use stickslip::system::{Motion, Steady};
 
 /// The rows of which one must be right.
 const TRIED: u64 = 1000;
@@ -219,6 +219,8 @@ pub struct Grid<'a> {
     blank: Vec<Cell<'static>>,
     count: u64,
     keep_going: fn() -> ControlFlow<()>,
+    /// The coordinates that are chosen.
+    shown: Option<Vec<usize>>,
 }
 
 /// The place of a row on each axis, and its record.
@@ -252,22 +254,35 @@ impl<'a> Grid<'a> {
         let count = count.ok_or_else(|| format!("the grid must have ≤ {MOST_ROWS} rows"))?;
         let (names, blank) = (Vec::new(), Vec::new());
         let keep_going = || ControlFlow::Continue(());
-        let mut grid = Self { value, folder, units, axes, records, asked, names, blank, count, keep_going };
+        let mut grid =
+            Self { value, folder, units, axes, records, asked, names, blank, count, keep_going, shown: None };
         let described = grid.described()?;
         for axis in &mut grid.axes {
             if let (Values::Texts(typed), Some(system)) = (&mut axis.values, &described.units) {
                 axis.values = in_unit(core::mem::take(typed), Some(system));
             }
         }
-        let answers = columns(&described, asked);
-        let mut names: Vec<String> = grid.records.first().map(|_| "record".to_owned()).into_iter().collect();
-        names.extend(grid.axes.iter().map(|axis| axis.name(&grid.unit_of_bare(axis, &described))));
-        for (name, cell) in answers {
-            names.push(name);
-            grid.blank.push(cell);
-        }
-        grid.names = names;
-        Ok(grid)
+        Ok(grid.named(&described))
+    }
+
+    /// This grid with the columns of a description.
+    fn named(self, described: &Described) -> Self {
+        let record = self.records.first().map(|_| "record".to_owned());
+        let axes = self.axes.iter().map(|axis| axis.name(&self.unit_of_bare(axis, described)));
+        let (answers, blank): (Vec<String>, _) = columns(described, self.asked).into_iter().unzip();
+        let names = record.into_iter().chain(axes).chain(answers).collect();
+        Self { names, blank, ..self }
+    }
+
+    /// This grid with the answers of chosen coordinates, as for [`Described::show`].
+    ///
+    /// # Errors
+    /// As [`Described::show`].
+    pub fn showing(mut self, argument: &str, names: &str) -> Result<Self, String> {
+        let mut described = self.described()?;
+        described.show(argument, names)?;
+        self.shown.clone_from(&described.shown);
+        Ok(self.named(&described))
     }
 
     /// This grid, whose motions are followed as long as `keep_going` returns [`ControlFlow::Continue`].
@@ -376,6 +391,7 @@ impl<'a> Grid<'a> {
                 .at_frequency(frequency.map_err(|e| e.to_string())?)
                 .map_err(|e| format!("{}{text}: {e}", axis.typed))?;
         }
+        found.described.shown.clone_from(&self.shown);
         Ok(found)
     }
 
@@ -459,7 +475,6 @@ impl<'a> Grid<'a> {
         simulate: impl Fn(&NamedSystem<F>, F) -> Result<Motion<F>, Why>,
     ) -> Result<Vec<Cell<'static, F>>, String> {
         let of = of.while_allowed(self.keep_going);
-        let elements = &of.described.model.elements;
         let because = |e: Why| e.to_string();
         let number = |x: F| Cell::Number(Some(x));
         Ok(match self.asked {
@@ -472,7 +487,7 @@ impl<'a> Grid<'a> {
                 let found = steady(&of).map_err(because)?;
                 let periods = Cell::Count(Some(found.periods as u64));
                 let mut cells = vec![Cell::Text(found.kind.name()), periods];
-                cells.extend(of_motion(elements, &found.motion, Some(&found)));
+                cells.extend(of_motion(&of.described, &found.motion, Some(&found)));
                 cells
             }
             Asked::Transient(_) => {
@@ -480,7 +495,7 @@ impl<'a> Grid<'a> {
                 of.check_until(until, &format!("until {until}"))?;
                 let found = simulate(&of, until).map_err(because)?;
                 let mut cells = vec![number(found.duration)];
-                cells.extend(of_motion(elements, &found, None));
+                cells.extend(of_motion(&of.described, &found, None));
                 cells
             }
         })
@@ -506,7 +521,7 @@ fn columns(described: &Described, asked: Asked) -> Vec<(String, Cell<'static>)> 
         }
         Asked::Transient(_) => vec![number(format!("duration{time}"))],
     };
-    for name in &described.coordinates {
+    for name in described.shown(&described.coordinates) {
         let quantities = [
             ("max_displacement", Of::Length),
             ("min_displacement", Of::Length),
@@ -530,14 +545,14 @@ fn columns(described: &Described, asked: Asked) -> Vec<(String, Cell<'static>)> 
         columns.push(number(format!("{name}.work{}", unit(Of::Energy))));
     }
     if asked == Asked::Steady {
-        for name in &described.coordinates {
+        for name in described.shown(&described.coordinates) {
             columns.push(number(format!("{name}.drift{}", unit(Of::Length))));
             columns.push(number(format!("{name}.mean_velocity{}", unit(Of::Velocity))));
         }
     }
     if described.base.is_some() {
         let unit = unit(Of::Acceleration);
-        let names = described.coordinates.iter();
+        let names = described.shown(&described.coordinates);
         columns.extend(names.map(|name| number(format!("{name}.max_absolute_acceleration{unit}"))));
     }
     columns
@@ -545,18 +560,18 @@ fn columns(described: &Described, asked: Asked) -> Vec<(String, Cell<'static>)> 
 
 /// The cells of a motion, in the order of the columns, with its end, or with the drift of a steady one.
 fn of_motion<F: Number>(
-    elements: &[Element<F>],
+    described: &Described<F>,
     motion: &Motion<F>,
     steady: Option<&Steady<F>>,
 ) -> Vec<Cell<'static, F>> {
     let mut cells = Vec::new();
-    for i in 0..motion.max_displacement.len() {
+    for i in described.places() {
         let lists =
             [&motion.max_displacement, &motion.min_displacement, &motion.max_velocity, &motion.min_velocity];
         let end = steady.is_none().then_some(&motion.end.displacement);
         cells.extend(lists.into_iter().chain(end).map(|list| Cell::Number(list.get(i).copied())));
     }
-    for (given, element) in elements.iter().zip(&motion.elements) {
+    for (given, element) in described.model.elements.iter().zip(&motion.elements) {
         if kind_of(given) != "spring" {
             cells.push(Cell::Number(Some(element.time_at_rest / motion.duration)));
             cells.push(Cell::Count(Some(element.stops as u64)));
@@ -567,9 +582,9 @@ fn of_motion<F: Number>(
         cells.push(Cell::Number(Some(element.work)));
     }
     if let Some(steady) = steady {
-        let pairs = steady.drift.iter().zip(&steady.mean_velocity);
+        let pairs = described.shown(&steady.drift).zip(described.shown(&steady.mean_velocity));
         cells.extend(pairs.flat_map(|(&by, &speed)| [by, speed].map(|x| Cell::Number(Some(x)))));
     }
-    cells.extend(motion.max_absolute_acceleration.iter().map(|&most| Cell::Number(Some(most))));
+    cells.extend(described.shown(&motion.max_absolute_acceleration).map(|&most| Cell::Number(Some(most))));
     cells
 }

@@ -127,7 +127,7 @@ pub(super) fn described<F: Number>(
     }
     let inertia = builder.inertia();
     let Builder { model, names: coordinates, base, start, laws, .. } = builder;
-    Described { model, coordinates, units: Some(units), start, inertia, base, laws }.checked()
+    Described { model, coordinates, units: Some(units), start, inertia, base, laws, shown: None }.checked()
 }
 
 fn add<F: Number>(matrix: &mut [Vec<F>], i: usize, j: usize, value: F) {

@@ -227,7 +227,7 @@ fn decay_sentence(found: &Steady<f64>) -> String {
 fn drift_sentence(described: &Described, found: &Steady<f64>) -> String {
     let units = described.units.as_ref();
     let moves = |speed: f64| speed != 0.0;
-    let of = |(name, (&by, &speed)): (&String, (&f64, &f64))| {
+    let of = |(name, by, speed): (&String, f64, f64)| {
         let mean = with_unit(speed, units, Of::Velocity);
         if by == 0.0 {
             format!("{name} moves at {mean}")
@@ -235,8 +235,12 @@ fn drift_sentence(described: &Described, found: &Steady<f64>) -> String {
             format!("{name} drifts by {} a period, {mean} in the mean", with_unit(by, units, Of::Length))
         }
     };
-    let pairs = described.coordinates.iter().zip(found.drift.iter().zip(&found.mean_velocity));
-    let parts: Vec<String> = pairs.filter(|(_, (_, speed))| moves(**speed)).map(of).collect();
+    let part = |list: &[f64], place: usize| list.get(place).copied().unwrap_or(0.0);
+    let at = |i: usize| {
+        Some((described.coordinates.get(i)?, part(&found.drift, i), part(&found.mean_velocity, i)))
+    };
+    let parts: Vec<String> =
+        described.listed().filter_map(at).filter(|(_, _, speed)| moves(*speed)).map(of).collect();
     if parts.is_empty() { String::new() } else { format!(" {}.", parts.join("; ")) }
 }
 

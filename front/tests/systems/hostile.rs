@@ -160,5 +160,5 @@ fn too_many_bodies_are_refused() {
     (0..100_000).for_each(|i| text += &format!("b{i} = 1\n"));
     let refused =
         parsed(&text, "x").and_then(|value| NamedSystem::new(&value, [], Path::new(""), None).map(drop));
-    assert_eq!(refused.unwrap_err(), "masses: 100000 of them, must be ≥ 1 and ≤ 200");
+    assert_eq!(refused.unwrap_err(), "masses: 100000 of them, must be ≥ 1 and ≤ 2000");
 }
