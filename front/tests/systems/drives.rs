@@ -468,7 +468,7 @@ fn moved(random: &mut Random, elastic: bool) -> (String, Machine) {
 
 /// The events and the end of each machine are those of small steps.
 fn compare(seed: u64, make: impl Fn(&mut Random) -> (String, Machine), usual: usize) -> usize {
-    let count = if std::env::var_os("STICKSLIP_ALL_SYSTEMS").is_some() { 400 } else { usual };
+    let count = crate::count(usual, 500);
     let mut random = Random(seed);
     let mut all = 0;
     for number in 0..count {
@@ -506,7 +506,7 @@ fn part(state: &mut Full<f64>, place: usize) -> Option<&mut f64> {
 /// The steady motion is what the start leads to: the state after many periods. Its multipliers are those of differences.
 #[test]
 fn steady_motions_are_the_limits_of_the_start() {
-    let count = if std::env::var_os("STICKSLIP_ALL_SYSTEMS").is_some() { 100 } else { 6 };
+    let count = crate::count(6, 100);
     let mut random = Random(6);
     let (mut settled, mut traces) = (0, 0);
     for number in 0..5 * count {
