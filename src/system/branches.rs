@@ -99,7 +99,8 @@ mod tests {
         let model = Model {
             mass: diagonal(1.0),
             damping: diagonal(0.1),
-            stiffness: diagonal(1.0),
+            // Each with each, so that the branches have the matrices of many entries.
+            stiffness: (0..n).map(|i| (0..n).map(|j| if i == j { 1.0 } else { -1e-3 }).collect()).collect(),
             elements: (0..n).map(contact).collect(),
             ..Model::default()
         };

@@ -31,6 +31,9 @@ pub(super) fn describe(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Wr
     let below = args.frequencies_below.as_deref();
     let below =
         below.map(|text| asked.reader().value("--frequencies-below", text, Of::Frequency)).transpose()?;
+    if let (Some(text), Some(_)) = (&args.frequencies_below, below.filter(|bound| *bound <= 0.0)) {
+        return Err(format!("--frequencies-below {text}: must be > 0").into());
+    }
     let description = Description::new(asked);
     if super::is_json(args)? {
         let shown = match below {

@@ -141,6 +141,7 @@ fn frequencies_below_a_bound_are_those_of_all() {
         &["--frequencies-below: this question does not use it"],
     );
     refused(&format!("system {file} --frequencies-below 3kg"), &["--frequencies-below 3kg"]);
+    refused(&format!("system {file} --frequencies-below=-1Hz"), &["--frequencies-below -1Hz: must be > 0"]);
 }
 
 /// A picture has the chosen coordinates alone, and a wrong choice is named.
