@@ -82,11 +82,11 @@ mod tests {
     use super::*;
     use crate::system::{Element, Harmonic, Kind, Law, Model, Signal, System};
 
-    /// Forty bodies with a contact each have more branches than there is room for; the latest stay, and one that was left out
+    /// Sixty bodies with a contact each have more branches than there is room for; the latest stay, and one that was left out
     /// comes back as it was.
     #[test]
     fn the_memory_of_branches_is_bounded() {
-        let n = 40;
+        let n = 60;
         let diagonal = |x: f64| -> Vec<Vec<f64>> {
             (0..n).map(|i| (0..n).map(|j| if i == j { x } else { 0.0 }).collect()).collect()
         };
@@ -108,7 +108,7 @@ mod tests {
         let mut branches = Branches::new(1.0);
         let modes = |k: usize| -> Vec<Mode> {
             (0..n)
-                .map(|i| if i == k { Mode::Slides { forward: true, piece: 0 } } else { Mode::Stuck })
+                .map(|i| if i == k { Mode::Stuck } else { Mode::Slides { forward: true, piece: 0 } })
                 .collect()
         };
         branches.enter(&system, &modes(0));
