@@ -1076,6 +1076,7 @@ test("every axis has at least three numbers", async () => {
 
 test("rests, marks and the threshold have a name in the picture, and one", async () => {
   const page = await opened();
+  await quiet(page);
   const texts = (id) => page.evaluate((id) => [...document.querySelectorAll(`#${id} svg text`)].map((own) => own.textContent), id);
   assert.ok((await texts("curve")).includes("this machine"));
   assert.ok((await texts("curve")).includes("sticking threshold"));
