@@ -102,9 +102,15 @@ pub(crate) fn first_passage<F: Float>(c: &[F], error: F) -> Option<F> {
     search(c, &b, F::int(0), F::int(1), error, depth)
 }
 
+/// The first zero of a guard over a part of a step: the one before p is certainly negative, or the one just before the end. The `reach` is the
+/// whole step in lengths of the part.
+pub(crate) fn first_zero<F: Float>(c: &[F], error: F, reach: F) -> Option<F> {
+    first_passage(shortened(c, error), error).or_else(|| passage_at_end(c, error, reach))
+}
+
 /// The zero just before the end, where p falls through zero there and is within its error at the end, but with a slope that takes it out of
 /// that within the `reach`, in lengths of the interval. Without this a sample just behind an event would be before it, by the error over the slope.
-pub(crate) fn passage_at_end<F: Float>(c: &[F], error: F, reach: F) -> Option<F> {
+fn passage_at_end<F: Float>(c: &[F], error: F, reach: F) -> Option<F> {
     let one = F::int(1);
     let (end, slope) = value_and_slope(c, one);
     let falls = end < F::int(0) && slope * reach < F::int(-4) * error;

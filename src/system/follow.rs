@@ -595,12 +595,13 @@ fn sizes_of<F: Float>(system: &Assembly<F>, branch: &Branch<F>, z: &[F], sizes: 
     sizes.clear();
     sizes.extend(z.iter().map(|x| x.abs()));
     let held = |i: &&usize| branch.modes.get(**i).is_some_and(|mode| mode.is_held());
-    for part in system.carriers.iter().filter(held).filter_map(|&i| system.parts.get(i)) {
-        let (n, inertia) = (system.n, dot(&part.direction, &part.response));
-        let drives = part.velocity.iter().zip(z).skip(2 * n);
-        let carried = drives.fold(F::int(0), |sum, (&row, &z)| sum + (row * z).abs()) / inertia;
+    let drives =
+        |i: usize| system.parts.get(i).and_then(|part| Some((part, part.velocity.get(2 * system.n..)?)));
+    for &i in system.carriers.iter().filter(held) {
+        let (Some((part, row)), Some(loads)) = (drives(i), z.get(2 * system.n..)) else { continue };
+        let carried = size_of_dot(row, loads) / system.coupling.at(i, i);
         if carried.is_finite() {
-            let velocities = sizes.iter_mut().skip(n);
+            let velocities = sizes.iter_mut().skip(system.n);
             velocities.zip(&part.response).for_each(|(size, share)| *size = *size + carried * share.abs());
         }
     }

@@ -60,8 +60,7 @@ pub(super) fn describe(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Wr
         }
     }
     writeln!(out, "A system of {}.\n", parts.join(", "))?;
-    let named = || described.listed().filter_map(|i| Some((i, described.coordinates.get(i)?)));
-    for (i, name) in named() {
+    for (i, name) in described.listed() {
         let mass = described.model.mass.get(i).and_then(|row| row.get(i)).copied().unwrap_or(0.0);
         let moved = described.model.moved.iter().find(|moved| moved.coordinate == i);
         let text = match moved.map(|moved| moved.by) {
@@ -328,8 +327,7 @@ pub(super) fn motion(described: &Described, motion: &Motion<Number>, out: &mut i
         |kind: Of| described.units.map_or_else(String::new, |system| format!(" {}", system.name(kind)));
     let work = |x: &Number| format!("{}{}", x.digits(), unit(Of::Energy));
     let (length, velocity) = (unit(Of::Length), unit(Of::Velocity));
-    let names = described.listed().filter_map(|i| Some((i, described.coordinates.get(i)?)));
-    for (i, name) in names {
+    for (i, name) in described.listed() {
         let at = |list: &[Number]| list.get(i).map_or_else(String::new, Number::digits);
         writeln!(out, "{name}")?;
         let range =

@@ -236,11 +236,9 @@ fn drift_sentence(described: &Described, found: &Steady<f64>) -> String {
         }
     };
     let part = |list: &[f64], place: usize| list.get(place).copied().unwrap_or(0.0);
-    let at = |i: usize| {
-        Some((described.coordinates.get(i)?, part(&found.drift, i), part(&found.mean_velocity, i)))
-    };
+    let at = |(i, name)| (name, part(&found.drift, i), part(&found.mean_velocity, i));
     let parts: Vec<String> =
-        described.listed().filter_map(at).filter(|(_, _, speed)| moves(*speed)).map(of).collect();
+        described.listed().map(at).filter(|(_, _, speed)| moves(*speed)).map(of).collect();
     if parts.is_empty() { String::new() } else { format!(" {}.", parts.join("; ")) }
 }
 

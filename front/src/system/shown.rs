@@ -44,9 +44,10 @@ impl<F: Number> Described<F> {
         (0..count).filter_map(move |i| chosen.map_or(Some(i), |chosen| chosen.get(i).copied()))
     }
 
-    /// The places of the coordinates that a text lists: the chosen ones, or the first ones of many.
-    pub fn listed(&self) -> impl Iterator<Item = usize> + Clone + '_ {
-        self.places().take(if self.shown.is_some() { usize::MAX } else { MOST_LISTED })
+    /// The coordinates that a text lists, with their places: the chosen ones, or the first ones of many.
+    pub fn listed(&self) -> impl Iterator<Item = (usize, &String)> + Clone {
+        let most = if self.shown.is_some() { usize::MAX } else { MOST_LISTED };
+        self.places().zip(self.shown(&self.coordinates)).take(most)
     }
 
     /// The entries of a list for these coordinates, which has one for each coordinate, or none at all.

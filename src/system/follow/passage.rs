@@ -5,7 +5,7 @@ use crate::float::Float;
 use crate::machine::error::written;
 use crate::system::branch::LOW_COUNT;
 use crate::system::error::Error;
-use crate::system::first_passage::{first_passage, passage_at_end, shortened};
+use crate::system::first_passage::first_zero;
 use crate::system::matrix::dot;
 use alloc::vec::Vec;
 
@@ -33,8 +33,7 @@ impl<F: Float> Follower<'_, F> {
                 if !is_bounded(c, error) {
                     return Err(unbounded(self.clock.value));
                 }
-                let found = first_passage(shortened(c, error), error);
-                add(found.or_else(|| passage_at_end(c, error, branch.step / time)), number);
+                add(first_zero(c, error, branch.step / time), number);
             }
             return Ok(event);
         }
@@ -64,8 +63,7 @@ impl<F: Float> Follower<'_, F> {
             if !is_bounded(c, error) {
                 return Err(unbounded(self.clock.value));
             }
-            let found = first_passage(shortened(c, error), error);
-            add(found.or_else(|| passage_at_end(c, error, branch.step / time)), number);
+            add(first_zero(c, error, branch.step / time), number);
         }
         Ok(event)
     }
