@@ -15,7 +15,7 @@ pub(crate) fn asked(machine: &MachineArgs, reader: &Reader) -> Result<Option<Giv
         return Ok(None);
     }
     let given = input::read::<f64>(machine, reader)?;
-    Ok((given.is_without_spring() && given.drifts().is_some()).then_some(given))
+    Ok(given.drifts().is_some().then_some(given))
 }
 
 /// Those of `stickslip steady`, whose bounds have no drift.

@@ -24,7 +24,7 @@ impl Drifting {
     pub(crate) fn asked(asked: &Asked<'_>) -> Result<Option<Self>, String> {
         let reader = asked.reader()?;
         let given = asked.given(&reader)?;
-        if !given.is_without_spring() || given.drifts().is_none() {
+        if given.drifts().is_none() {
             return Ok(None);
         }
         let (start, has_start) = asked.start(&reader, true)?;
@@ -50,13 +50,11 @@ impl Drifting {
 
     /// Samples of the motion, `per_turn` in a turn of the drive: of its cycle, or from its start.
     pub(crate) fn samples(&self, is_from_start: bool, per_turn: u32) -> Result<Value, String> {
-        let found = self.one.steady().map_err(|e| e.to_string())?;
-        let is_steady = !is_from_start && found.kind == SteadyKind::Periodic;
-        let (start, turns) = if is_steady {
+        let found = (!is_from_start).then(|| self.one.steady()).transpose().map_err(|e| e.to_string())?;
+        let cycle = found.as_ref().filter(|found| found.kind == SteadyKind::Periodic);
+        let (start, turns) = cycle.map_or((&self.one.system.described.start, FIRST_TURNS), |found| {
             (&found.start, u32::try_from(found.periods).unwrap_or(MOST_TURNS).min(MOST_TURNS))
-        } else {
-            (&self.one.system.described.start, FIRST_TURNS)
-        };
+        });
         let Driven { oscillator: body, drive, .. } = &self.machine;
         let period = TAU / drive.angular_frequency();
         let turn = |place: u32| f64::from(place % per_turn) / f64::from(per_turn);
@@ -78,7 +76,7 @@ impl Drifting {
             "friction": column(|state| &state.force),
             "load": loads.collect::<Vec<_>>(),
             "turns": turns,
-            "steady": is_steady,
+            "steady": cycle.is_some(),
             "support": support(&self.machine, false),
             "bound": body.static_friction_ratio() * body.friction_bound(),
             "units": {

@@ -369,8 +369,11 @@ impl<F: Float + FromStr> Given<F> {
         }
     }
 
-    /// The input by which a body without a spring drifts: a constant force, or a friction that differs by direction.
+    /// The input by which the body drifts, which is without a spring then: a constant force, or a friction that differs by direction.
     pub fn drifts(&self) -> Option<Input> {
+        if !self.is_without_spring() {
+            return None;
+        }
         let is_other =
             |backward: F| Input::of_role(Role::Friction).into_iter().all(|f| self.get(f) != Some(backward));
         if self.get(Input::MeanForce).is_some_and(|force| force != F::int(0)) {
