@@ -4,7 +4,8 @@
 
 use crate::count;
 use crate::generator::Random;
-use stickslip::system::{Beyond, Element, Harmonic, Kind, Law, Model, Motion, Record, Signal, State, System};
+use crate::long_steps::loads;
+use stickslip::system::{Element, Harmonic, Kind, Law, Model, Motion, Signal, State, System};
 
 /// Twenty-five to fifty bodies on springs and dampers, in a row or with braces over two storeys, with contacts, elastic contacts, stops, belts and springs with
 /// laws, under harmonics and records.
@@ -54,28 +55,8 @@ fn chain(random: &mut Random) -> Model<f64> {
     };
     let count = 3 + (random.next() * 12.0) as usize;
     let elements = (0..count).map(|_| element(random)).collect();
-    let force = |random: &mut Random| (0..n).map(|_| random.between(-1.0, 2.0)).collect::<Vec<_>>();
-    let shaken = random.next() < 0.7;
-    let harmonics = shaken.then(|| Harmonic {
-        frequency: random.between(0.3, 3.0),
-        sin: force(random),
-        cos: force(random),
-    });
-    let record = (!shaken || random.next() < 0.3).then(|| Record {
-        times: vec![0.0, 1.0, 1.5, 2.5, 4.0],
-        values: vec![0.0, 1.5, -1.0, 1.0, 0.2],
-        force: force(random),
-        beyond: Beyond::Hold,
-    });
-    Model {
-        mass,
-        damping,
-        stiffness,
-        elements,
-        harmonics: harmonics.into_iter().collect(),
-        records: record.into_iter().collect(),
-        ..Model::default()
-    }
+    let (harmonics, records) = loads(random, n, [-1.0, 2.0], 3.0, [0.0, 1.0, 1.5, 2.5, 4.0]);
+    Model { mass, damping, stiffness, elements, harmonics, records, ..Model::default() }
 }
 
 /// The greatest difference of two motions in parts of the greatest number of its kind.

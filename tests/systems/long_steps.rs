@@ -82,28 +82,32 @@ pub(crate) fn stiff(random: &mut Random) -> Model<f64> {
             }
         })
         .collect();
-    let force = |random: &mut Random| (0..n).map(|_| random.between(-2.0, 2.0)).collect::<Vec<_>>();
+    let (harmonics, records) = loads(random, n, [-2.0, 2.0], 2.0, [0.0, 2.0, 3.0, 4.5, 9.0]);
+    Model { mass, damping, stiffness, elements, harmonics, records, ..Model::default() }
+}
+
+/// A harmonic, a record or both, with forces in a range on each coordinate: the harmonic of at most this frequency, the record at these times.
+pub(crate) fn loads(
+    random: &mut Random,
+    n: usize,
+    [least, greatest]: [f64; 2],
+    fastest: f64,
+    times: [f64; 5],
+) -> (Vec<Harmonic<f64>>, Vec<Record<f64>>) {
+    let force = |random: &mut Random| (0..n).map(|_| random.between(least, greatest)).collect::<Vec<_>>();
     let shaken = random.next() < 0.7;
     let harmonics = shaken.then(|| Harmonic {
-        frequency: random.between(0.3, 2.0),
+        frequency: random.between(0.3, fastest),
         sin: force(random),
         cos: force(random),
     });
     let record = (!shaken || random.next() < 0.3).then(|| Record {
-        times: vec![0.0, 2.0, 3.0, 4.5, 9.0],
+        times: times.to_vec(),
         values: vec![0.0, 1.5, -1.0, 1.0, 0.2],
         force: force(random),
         beyond: Beyond::Hold,
     });
-    Model {
-        mass,
-        damping,
-        stiffness,
-        elements,
-        harmonics: harmonics.into_iter().collect(),
-        records: record.into_iter().collect(),
-        ..Model::default()
-    }
+    (harmonics.into_iter().collect(), record.into_iter().collect())
 }
 
 /// The greatest difference of two motions in parts of the motion; that of the stored energies less the rounding of their terms, of which those of

@@ -1,7 +1,7 @@
 //! Answers about many coordinates: those that are chosen, and how many a text leaves out.
 
 use crate::command_line::{json, refused, stdout};
-use crate::place::place;
+use crate::place::{Place, place};
 use serde_json::{Value, json as value};
 
 /// A tower of thirty storeys on a base that moves, with contacts at the first and the tenth.
@@ -23,6 +23,13 @@ fn tower() -> String {
     )
 }
 
+/// A file of it.
+fn tower_file() -> Place {
+    let file = place("tower.toml");
+    std::fs::write(&file, tower()).unwrap();
+    file
+}
+
 /// The lists of an answer that have an entry for each coordinate.
 const LISTS: [&str; 12] = [
     "/coordinates",
@@ -42,8 +49,7 @@ const LISTS: [&str; 12] = [
 /// An answer of chosen coordinates is that of all with their entries alone, in the order of the choice.
 #[test]
 fn chosen_coordinates_have_their_part_of_the_whole_answer() {
-    let file = place("tower.toml");
-    std::fs::write(&file, tower()).unwrap();
+    let file = tower_file();
     let file = file.display();
     for question in ["simulate --until 2s", "steady --set s30.mass=60t", ""] {
         let all = json(&format!("system {file} {question} --format json"));
@@ -65,8 +71,7 @@ fn chosen_coordinates_have_their_part_of_the_whole_answer() {
 /// Rows of samples and of grids have the columns of the chosen coordinates.
 #[test]
 fn rows_have_the_columns_of_chosen_coordinates() {
-    let file = place("tower.toml");
-    std::fs::write(&file, tower()).unwrap();
+    let file = tower_file();
     let file = file.display();
     let rows = stdout(&format!("system {file} simulate --until 2s --samples 2 --coordinates s17,s2"));
     let all = stdout(&format!("system {file} simulate --until 2s --samples 2"));
@@ -89,8 +94,7 @@ fn rows_have_the_columns_of_chosen_coordinates() {
 /// A text lists 24 coordinates and frequencies, and says how many there are beside them.
 #[test]
 fn a_text_says_what_it_leaves_out() {
-    let file = place("tower.toml");
-    std::fs::write(&file, tower()).unwrap();
+    let file = tower_file();
     let file = file.display();
     let text = stdout(&format!("system {file}"));
     assert!(text.contains("  s24 ") && !text.contains("  s25 "), "{text}");
@@ -114,8 +118,7 @@ fn a_text_says_what_it_leaves_out() {
 /// Natural frequencies up to a bound are those of the whole list.
 #[test]
 fn frequencies_below_a_bound_are_those_of_all() {
-    let file = place("tower.toml");
-    std::fs::write(&file, tower()).unwrap();
+    let file = tower_file();
     let file = file.display();
     let all = json(&format!("system {file} --format json"));
     let below = json(&format!("system {file} --format json --frequencies-below 3Hz"));
@@ -147,8 +150,7 @@ fn frequencies_below_a_bound_are_those_of_all() {
 /// A picture has the chosen coordinates alone, and a wrong choice is named.
 #[test]
 fn a_picture_has_the_chosen_coordinates() {
-    let file = place("tower.toml");
-    std::fs::write(&file, tower()).unwrap();
+    let file = tower_file();
     let picture = place("tower.svg");
     stdout(&format!(
         "system {} simulate --until 1s --coordinates s30,s7 --picture {}",
