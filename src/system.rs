@@ -33,6 +33,7 @@ mod border;
 mod branch;
 mod branches;
 mod build;
+mod calm;
 mod damping;
 mod dependent;
 mod drift;
@@ -58,6 +59,7 @@ mod matrix;
 mod mode;
 mod model;
 mod modes;
+mod monotone;
 mod motion;
 mod next_branch;
 mod period_map;
@@ -246,7 +248,8 @@ impl<F: Float> System<F> {
     /// themselves.
     ///
     /// It is found by Newton's method from some followed periods, and accepted where the period map closes to rounding
-    /// with the events of the motion that was followed, and where small disturbances do not grow. Without loads the motion
+    /// with the events of the motion that was followed, and where small disturbances do not grow; at once where no two motions of the system move
+    /// apart, or no event can come any more. Without loads the motion
     /// is self-excited, and its period is found with it, or it comes to rest. An undamped vibration that no contact stops is never
     /// forgotten, so that a start that has it does not settle.
     ///

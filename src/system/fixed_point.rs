@@ -129,7 +129,7 @@ pub(super) fn newton<F: Float>(
         // Where Newton's next error will be below rounding, this round is the last.
         let is_last =
             multiple == 1 && best.as_ref().is_some_and(|b| b.next < F::epsilon().sqrt() * F::int(16));
-        let mapped = match map.map(&x, multiple, is_last) {
+        let mapped = match map.map(&x, multiple, is_last, best.as_ref().map(|best| &best.mapped)) {
             Ok(mapped) => mapped,
             Err(Error::Interrupted) => return Err(Error::Interrupted),
             Err(_) => return Ok(None),
@@ -146,9 +146,10 @@ pub(super) fn newton<F: Float>(
         let next = step.iter().fold(F::int(0), |most, x| most.or_larger(x.abs()));
         let (least, was_closed) =
             best.as_ref().map_or((F::int(0), false), |b| (b.by, b.by <= closed && b.next <= closed.sqrt()));
-        // Rounding of the map stalls it, and a fixed point that is not there.
-        let most = if is_large(map.system) { 1 } else { 3 };
-        let stalls = round > 0 && by * F::int(2) > least && (was_closed || round > most);
+        // Rounding of the map stalls it, and a fixed point that is not there. A double one, at which an element only just begins to slide, is
+        // met in steps of a half: a large system leaves it alone.
+        let (most, gain) = if is_large(map.system) { (1, if round > 4 { 16 } else { 2 }) } else { (3, 2) };
+        let stalls = round > 0 && by * F::int(gain) > least && (was_closed || round > most);
         if best.is_none() || by <= least {
             let (multipliers, kept) = (Vec::new(), kept.len());
             best =

@@ -76,7 +76,7 @@ pub(crate) struct Follower<'a, F> {
 pub(crate) struct Saved<F> {
     z: Vec<F>,
     time: F,
-    modes: Vec<Mode>,
+    pub(crate) modes: Vec<Mode>,
     kept: Kept<F>,
     blows: Blows<F>,
 }

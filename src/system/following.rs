@@ -9,6 +9,8 @@
 //! What silent elements keep is the same at z and x (`fixed_point.rs`). Where x is the point of a manifold to first order only, |δ| must be
 //! below 2⁻²⁴, so that its square is rounding.
 //!
+//! Where no two motions of the system move apart, or no event can come any more, the limit is proved without that (`monotone.rs`, `calm.rs`).
+//!
 //! A motion that changes by no more than rounding in a period, and to which Newton's method has nothing to add, has arrived.
 //!
 //! **Rounding on the way.** A fixed point is right whatever rounding does, but which of several a start leads to is not, where the way is
@@ -16,12 +18,14 @@
 //! grew between any two instants, in units of the motion's sizes: rounding errors of each instant grow so.
 
 use super::assembly::Assembly;
+use super::calm::{Calm, Margins};
 use super::error::Error;
 use super::events::Event;
 use super::first_passage::integer;
-use super::fixed_point::Fixed;
+use super::fixed_point::{Fixed, kept_basis};
 use super::follow::{Follower, most_steps};
-use super::matrix::add_times;
+use super::matrix::{add_times, dot};
+use super::monotone::{energy_of, energy_of_silence, is_monotone};
 use super::motion::Motion;
 use super::period_map::{Answers, Happened, Mapped, PeriodMap};
 use super::precision::small;
@@ -30,6 +34,7 @@ use crate::float::Float;
 use crate::machine::error::written;
 use alloc::collections::VecDeque;
 use alloc::vec::Vec;
+use core::cell::OnceCell;
 
 /// The greatest multiple of the loads' period.
 pub(super) const MOST_MULTIPLE: usize = 64;
@@ -63,6 +68,8 @@ pub(super) struct Following<'a, F> {
     disturbance: Disturbance<F>,
     most_work: u64,
     pub(super) end: Option<End>,
+    /// Whether no two motions move apart, once it has been asked for.
+    is_monotone: OnceCell<bool>,
 }
 
 /// A small disturbance of the motion that is followed.
@@ -119,6 +126,7 @@ impl<'a, F: Float> Following<'a, F> {
             disturbance: Disturbance::NONE,
             most_work,
             end: None,
+            is_monotone: OnceCell::new(),
         }
     }
 
@@ -191,6 +199,12 @@ impl<'a, F: Float> Following<'a, F> {
         }
     }
 
+    /// Whether the last period had no event, and the one before had.
+    pub(super) fn has_become_quiet(&self) -> bool {
+        let mut last = self.events.iter().rev();
+        last.next().is_some_and(Vec::is_empty) && last.next().is_some_and(|events| !events.is_empty())
+    }
+
     /// How nearly the motion repeats itself, after any number of periods.
     pub(super) fn recurrence(&self) -> F {
         let least = |a: F, b: F| if b < a { b } else { a };
@@ -212,7 +226,6 @@ impl<'a, F: Float> Following<'a, F> {
         let apart = |map: &PeriodMap<'_, F>, z: &[F]| -> Vec<F> {
             map.scaled(z.iter().zip(&fixed.x).map(|(&a, &b)| a - b).collect(), &sizes)
         };
-        let mut delta = apart(&self.map, &now);
         // Without an element P is linear, and each motion goes where J takes it.
         let is_linear = self.map.system.parts.is_empty() && fixed.largest().is_some_and(|most| most < 1.0);
         if first <= tiny || is_linear {
@@ -236,9 +249,18 @@ impl<'a, F: Float> Following<'a, F> {
         let enough = (-(4.0_f64.ln()) / largest.max(1e-3).ln()).ceil();
         let most = 2.0 * enough + 64.0;
         let work = (self.map.steps / (self.followed as u64 + 1)).max(1).saturating_mul(multiple as u64);
-        if enough * work as f64 > self.most_work.saturating_sub(self.map.steps) as f64 {
+        let is_short = enough * work as f64 <= self.most_work.saturating_sub(self.map.steps) as f64;
+        if ones == 0
+            && let Some(is_drawn) =
+                self.is_drawn(fixed, multiple, if is_short { enough } else { f64::INFINITY })?
+        {
+            return Ok(is_drawn);
+        }
+        if !is_short {
             return Ok(false);
         }
+        let now = self.now();
+        let (first, mut delta) = (self.map.distance(&now, &fixed.x, &sizes), apart(&self.map, &now));
         let cycle: Vec<Happened> = happened(&fixed.mapped.events);
         let stays = self.stays(fixed);
         let most = if stays { 32.0 * most } else { most };
@@ -268,6 +290,101 @@ impl<'a, F: Float> Following<'a, F> {
             }
         }
         Ok(false)
+    }
+
+    /// Whether the motion goes to a fixed point of `multiple` periods whose multipliers are below 1, where this can be proved or refuted without following it to
+    /// there: no two motions of the system move apart (`monotone.rs`), or no event comes any more (`calm.rs`). The motion is followed for at most so many periods.
+    fn is_drawn(&mut self, fixed: &Fixed<F>, multiple: usize, most: f64) -> Result<Option<bool>, Error> {
+        let system = self.map.system;
+        if self.map.drift.count() > 0 || fixed.is_first_order {
+            return Ok(None);
+        }
+        let is_monotone = *self.is_monotone.get_or_init(|| is_monotone(system));
+        if is_monotone && !self.is_smooth(fixed, multiple)? {
+            return Ok(None);
+        }
+        if is_monotone && fixed.kept == 0 {
+            return Ok(Some(true));
+        }
+        if multiple > 1 {
+            return Ok(None);
+        }
+        let before = self.map.follower.saved();
+        let mut margins = Margins::new();
+        self.map.follower.restart(&fixed.x)?;
+        let silent = self.map.silent(&fixed.mapped.events);
+        // Newton's method keeps what elements keep that are silent on its way, which those at its end need not have been.
+        let sizes = fixed.mapped.sizes;
+        let delta: Vec<F> = self.now().iter().zip(&fixed.x).map(|(&a, &b)| a - b).collect();
+        let delta = self.map.scaled(delta, &sizes);
+        let tiny = F::epsilon() * F::exp2i(16);
+        if kept_basis(&self.map, &fixed.mapped).iter().any(|row| !(dot(row, &delta).abs() <= tiny)) {
+            self.map.follower.resume(&before);
+            return Ok(None);
+        }
+        let calm = match self.map.follower.branch() {
+            Some(branch) if fixed.mapped.events.is_empty() && branch.modes == before.modes => {
+                Calm::new(system, branch)
+            }
+            _ => None,
+        };
+        if calm.is_some() || is_monotone {
+            self.map.follower.run(self.map.period, &mut margins)?;
+        }
+        self.map.follower.resume(&before);
+        let energy = if is_monotone { energy_of_silence(system, &silent, &margins) } else { None };
+        let is_open = margins.least.iter().filter(|(_, element, _)| silent.contains(element));
+        if (calm.is_none() && energy.is_none()) || is_open.clone().any(|&(.., margin)| !(margin > F::int(0)))
+        {
+            return Ok(None);
+        }
+        let mut count = 0.0;
+        loop {
+            let delta: Vec<F> = self.now().iter().zip(&fixed.x).map(|(&a, &b)| a - b).collect();
+            if calm.as_ref().is_some_and(|calm| calm.stays(system, &delta, &margins))
+                || energy.is_some_and(|energy| energy_of(system, &delta) < energy)
+            {
+                return Ok(Some(true));
+            }
+            count += 1.0;
+            if count > most {
+                return Ok(None);
+            }
+            let Some(mapped) = self.advance()? else { return Ok(Some(false)) };
+            let wakes = |event: &Event<F>| calm.is_some() || silent.contains(&event.element);
+            if mapped.events.iter().any(wakes) {
+                return Ok(Some(false));
+            }
+        }
+    }
+
+    /// Whether J is the derivative of the map on both sides of a fixed point: for a small disturbance forth and back.
+    fn is_smooth(&mut self, fixed: &Fixed<F>, multiple: usize) -> Result<bool, Error> {
+        let (before, sizes) = (self.map.follower.saved(), fixed.mapped.sizes);
+        let mut is_smooth = true;
+        for sign in [1, -1] {
+            self.map.follower.restart(&fixed.x)?;
+            let part = F::int(sign) * small(20);
+            let by: Vec<F> = self.map.disturbance(&sizes).into_iter().map(|x| x * part).collect();
+            let mut from = fixed.x.clone();
+            add_times(&mut from, F::int(1), &by);
+            self.map.keep_bounds(&mut from);
+            let by: Vec<F> = from.iter().zip(&fixed.x).map(|(&a, &b)| a - b).collect();
+            self.map.follower.restart(&from)?;
+            for _ in 0..multiple {
+                self.map.advance(None, false)?;
+            }
+            let mut due = fixed.x.clone();
+            for (i, (x, by)) in
+                due.iter_mut().zip(fixed.derivative.of(&self.map.scaled(by, &sizes))).enumerate()
+            {
+                *x = *x + by * self.map.size_at(&sizes, i);
+            }
+            let off = self.map.distance(&self.map.free(), &due, &sizes);
+            is_smooth &= off <= part.abs() * F::exp2i(-10);
+        }
+        self.map.follower.resume(&before);
+        Ok(is_smooth)
     }
 
     /// Whether a motion that nothing holds in its place has no drift.

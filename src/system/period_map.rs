@@ -161,6 +161,8 @@ pub(super) struct Mapped<F> {
     pub(super) sizes: [F; 3],
     /// The columns of J in the quotient, for the states that are not given functions of time.
     pub(super) tangent: Vec<Vec<F>>,
+    /// What the elements do at the beginning.
+    pub(super) modes: Vec<Mode>,
     /// The answers, where they were asked for.
     pub(super) observed: Option<Answers<F>>,
 }
@@ -187,7 +189,7 @@ impl<'a, F: Float> PeriodMap<'a, F> {
     ) -> Result<Mapped<F>, Error> {
         let system = self.system;
         self.follower.rewind();
-        let from = self.follower.z.clone();
+        let (from, modes) = (self.follower.z.clone(), self.modes());
         let start = answers.then(|| state(system, &self.follower));
         let observer = answers.then(|| Observer::new(system, &from));
         let mut seen = Seen {
@@ -222,6 +224,7 @@ impl<'a, F: Float> PeriodMap<'a, F> {
             events: seen.events,
             sizes: self.sizes(seen.sizes),
             tangent,
+            modes,
             observed,
         })
     }
@@ -255,9 +258,26 @@ impl<'a, F: Float> PeriodMap<'a, F> {
         largest(&motion.max_velocity, &motion.min_velocity) <= rounding
     }
 
-    /// `multiple` periods from a state, with the derivative, and with the answers of the first period, where asked.
-    pub(super) fn map(&mut self, from: &[F], multiple: usize, answers: bool) -> Result<Mapped<F>, Error> {
+    /// `multiple` periods from a state, with the derivative, and with the answers of the first period, where asked. Without an event the map
+    /// is affine: in the branch of a known period without one it has that period's derivative.
+    pub(super) fn map(
+        &mut self,
+        from: &[F],
+        multiple: usize,
+        answers: bool,
+        known: Option<&Mapped<F>>,
+    ) -> Result<Mapped<F>, Error> {
         self.follower.restart(from)?;
+        let modes = self.modes();
+        if let Some(known) =
+            known.filter(|known| multiple == 1 && known.events.is_empty() && known.modes == modes)
+        {
+            let mapped = self.advance(None, answers)?;
+            if mapped.events.is_empty() {
+                return Ok(Mapped { tangent: known.tangent.clone(), ..mapped });
+            }
+            self.follower.restart(from)?;
+        }
         let mut all = self.advance(Some(self.directions()), answers)?;
         for count in 1..multiple {
             let mapped = self.advance(Some(all.tangent), false)?;
@@ -274,6 +294,11 @@ impl<'a, F: Float> PeriodMap<'a, F> {
             }
         }
         Ok(all)
+    }
+
+    /// What the elements do in the present branch.
+    fn modes(&self) -> Vec<Mode> {
+        self.follower.branch().map_or_else(Vec::new, |branch| branch.modes.clone())
     }
 
     /// The unit vectors, without what the present branch does not admit.
@@ -325,6 +350,14 @@ impl<'a, F: Float> PeriodMap<'a, F> {
         self.system.moved.iter().any(|moved| i == moved.coordinate || i == n + moved.coordinate)
     }
 
+    /// The places of the elements that are at rest in the present branch, without those in `busy`.
+    pub(super) fn silent(&self, busy: &[Event<F>]) -> Vec<usize> {
+        let modes = self.follower.branch().map_or(&[][..], |b| &b.modes);
+        let mut silent = places(modes, |mode| matches!(mode, Mode::Stuck | Mode::Holds));
+        silent.retain(|&i| !busy.iter().any(|event| event.element == i));
+        silent
+    }
+
     /// The rows of what the elements keep in the present branch, without those in `busy`: b·q of a contact that sticks, T − k b·q of an
     /// elastic contact that holds. The map does not change them, so that J has one multiplier 1 for each. Stops in touch keep
     /// their own b·q, which is no number of a motion: the rows are those of what moves beside them.
@@ -332,10 +365,8 @@ impl<'a, F: Float> PeriodMap<'a, F> {
         let modes = self.follower.branch().map_or(&[][..], |b| &b.modes);
         let touching = places(modes, |mode| mode == Mode::Resting);
         let mut rows = Vec::new();
-        for (i, (part, mode)) in self.system.parts.iter().zip(modes).enumerate() {
-            if busy.iter().any(|event| event.element == i) {
-                continue;
-            }
+        for i in self.silent(busy) {
+            let (Some(part), Some(mode)) = (self.system.parts.get(i), modes.get(i)) else { continue };
             let mut row = vec![F::int(0); self.system.free];
             let along = beside(self.system, i, &touching);
             match (mode, &part.rule) {

@@ -190,7 +190,7 @@ fn newton_of_cycle<F: Float>(
             break;
         }
         map.period = period;
-        let mapped = match map.map(&x, 1, false) {
+        let mapped = match map.map(&x, 1, false, None) {
             Ok(mapped) => mapped,
             Err(Error::Interrupted) => return Err(Error::Interrupted),
             Err(_) => break,
