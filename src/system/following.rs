@@ -313,29 +313,20 @@ impl<'a, F: Float> Following<'a, F> {
         let mut margins = Margins::new();
         self.map.follower.restart(&fixed.x)?;
         let silent = self.map.silent(&fixed.mapped.events);
-        // Newton's method keeps what elements keep that are silent on its way, which those at its end need not have been.
-        let sizes = fixed.mapped.sizes;
-        let delta: Vec<F> = self.now().iter().zip(&fixed.x).map(|(&a, &b)| a - b).collect();
-        let delta = self.map.scaled(delta, &sizes);
-        let tiny = F::epsilon() * F::exp2i(16);
-        if kept_basis(&self.map, &fixed.mapped).iter().any(|row| !(dot(row, &delta).abs() <= tiny)) {
-            self.map.follower.resume(&before);
-            return Ok(None);
-        }
+        let keeps = self.keeps_numbers_of(fixed);
         let calm = match self.map.follower.branch() {
             Some(branch) if fixed.mapped.events.is_empty() && branch.modes == before.modes => {
                 Calm::new(system, branch)
             }
             _ => None,
         };
-        if calm.is_some() || is_monotone {
+        if keeps && (calm.is_some() || is_monotone) {
             self.map.follower.run(self.map.period, &mut margins)?;
         }
         self.map.follower.resume(&before);
         let energy = if is_monotone { energy_of_silence(system, &silent, &margins) } else { None };
-        let is_open = margins.least.iter().filter(|(_, element, _)| silent.contains(element));
-        if (calm.is_none() && energy.is_none()) || is_open.clone().any(|&(.., margin)| !(margin > F::int(0)))
-        {
+        let mut own = margins.least.iter().filter(|(_, element, _)| silent.contains(element));
+        if !keeps || (calm.is_none() && energy.is_none()) || !own.all(|&(.., margin)| margin > F::int(0)) {
             return Ok(None);
         }
         let mut count = 0.0;
@@ -356,6 +347,15 @@ impl<'a, F: Float> Following<'a, F> {
                 return Ok(Some(false));
             }
         }
+    }
+
+    /// Whether the motion has the kept numbers of a fixed point, from which the map goes on. Newton's method keeps those of elements that are silent on its
+    /// way, which those at its end need not have been.
+    fn keeps_numbers_of(&self, fixed: &Fixed<F>) -> bool {
+        let delta = self.now().iter().zip(&fixed.x).map(|(&a, &b)| a - b).collect();
+        let delta = self.map.scaled(delta, &fixed.mapped.sizes);
+        let rows = kept_basis(&self.map, &fixed.mapped);
+        rows.iter().all(|row| dot(row, &delta).abs() <= F::epsilon() * F::exp2i(16))
     }
 
     /// Whether J is the derivative of the map on both sides of a fixed point: for a small disturbance forth and back.

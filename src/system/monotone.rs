@@ -47,7 +47,7 @@ pub(super) fn energy_of<F: Float>(system: &Assembly<F>, delta: &[F]) -> F {
     let [q, v] = [0, n].map(|from| delta.get(from..from + n).unwrap_or(&[]));
     let springs = system.parts.iter().fold(F::int(0), |sum, part| match &part.rule {
         Rule::Elastic { stiffness, place, .. } => sum + at(delta, *place).square() / *stiffness,
-        _ => sum,
+        Rule::Contact { .. } | Rule::Stop { .. } | Rule::Hard { .. } | Rule::Spring { .. } => sum,
     });
     (dot(v, &system.mass.of(v)) + dot(q, &system.stiffness.of(q)) + springs) / F::int(2)
 }
