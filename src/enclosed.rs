@@ -50,7 +50,7 @@ mod motion;
 mod ratios;
 mod record;
 mod regime;
-mod root;
+pub(crate) mod root;
 pub(crate) mod split;
 mod widen;
 

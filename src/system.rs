@@ -66,6 +66,8 @@ mod period_map;
 mod pieces;
 mod precision;
 mod propagator;
+#[cfg(feature = "mp")]
+mod proved;
 mod rate;
 mod self_excited;
 mod sliding;

@@ -1,6 +1,8 @@
 //! `stickslip system`: several bodies with contacts, elastic contacts and stops.
 
 mod asked;
+#[cfg(all(feature = "mp", not(test)))]
+mod enclosed;
 mod options;
 mod picture;
 mod sketch;
@@ -27,9 +29,16 @@ use stickslip_front::system::{
 
 pub(crate) fn run(args: &SystemArgs, out: &mut impl Write) -> Outcome {
     check_options(args)?;
-    let mut value = read(&args.file, if args.bits.is_some() { parsed_as_typed } else { parsed })?;
+    let is_wide = args.bits.is_some() || args.enclose;
+    let mut value = read(&args.file, if is_wide { parsed_as_typed } else { parsed })?;
     if let Some(text) = &args.law_tolerance {
         NamedSystem::set_tolerance(&mut value, text).map_err(|e| format!("--law-tolerance {text}: {e}"))?;
+    }
+    if args.enclose {
+        #[cfg(all(feature = "mp", not(test)))]
+        return enclosed::run(&value, args, out);
+        #[cfg(any(not(feature = "mp"), test))]
+        return Err(crate::enclose::no_balls());
     }
     if let Some(bits) = args.bits {
         #[cfg(all(feature = "mp", not(test)))]
@@ -75,6 +84,7 @@ fn check_options(args: &SystemArgs) -> Outcome {
     let of_coordinates = [Q::Describe, Q::Steady, Q::Simulate, Q::Record, Q::Curve, Q::Spectrum];
     uses("--coordinates", args.coordinates.is_some(), &of_coordinates)?;
     uses("--bits", args.bits.is_some(), &[Q::Steady, Q::Simulate, Q::Record, Q::Curve, Q::Border])?;
+    uses("--enclose", args.enclose, &[Q::Simulate])?;
     uses("RECORD", !args.records.is_empty(), &[Q::Record, Q::Spectrum])?;
     let is_missing = |name: &str| Err(Failure::Input(format!("{name} is missing")));
     match args.question {

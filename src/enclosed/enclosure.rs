@@ -44,7 +44,7 @@ impl Enclosure {
 
     /// This enclosure with a midpoint of `bits` bits, and a radius that includes the rounding of the
     /// midpoint.
-    pub(super) fn rounded(&self, bits: u32) -> Self {
+    pub(crate) fn rounded(&self, bits: u32) -> Self {
         let mid = Float::with_val(bits, &self.mid);
         let moved = Float::with_val_round(64, &mid - &self.mid, Round::AwayZero).0.abs();
         let rad = Float::with_val_round(64, &self.rad + &moved, Round::Up).0;
@@ -83,6 +83,12 @@ impl Enclosure {
     pub fn of<const W: usize>(ball: &Ball<W>) -> Option<Self> {
         let (mid, rad) = (ball.mid().to_rug(), ball.rad().value::<1>().to_rug());
         (!ball.is_entire() && rad.is_finite()).then_some(Self { mid, rad })
+    }
+
+    /// A number of an input, with what reading and converting it can have rounded, to so many bits.
+    pub fn read<const N: usize>(x: Mp<N>, bits: u32) -> Self {
+        let whole = Ball::<N>::read(x, Radius::above(x));
+        Self::of(&whole).unwrap_or_default().rounded(bits)
     }
 
     /// This enclosure as a ball.

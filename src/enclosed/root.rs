@@ -13,7 +13,7 @@ use crate::float::mp::Mp;
 
 /// The only zero of `f` near `start`, enclosed, and the ball in which it is the only one; `None` where this
 /// is not proved.
-pub(super) fn only_zero<const W: usize>(
+pub(crate) fn only_zero<const W: usize>(
     start: Mp<W>,
     f: impl Fn(Ball<W>) -> Ball<W>,
     slope: impl Fn(Ball<W>) -> Ball<W>,

@@ -73,6 +73,22 @@ impl<const LIMBS: usize> Ball<LIMBS> {
         if rad.is_infinite() || !mid.is_finite() { Self::entire() } else { Self { mid, rad } }
     }
 
+    /// A number of an input: all numbers within 64 units in the last place of one as large as `largest`, which is more than reading and
+    /// converting it can have rounded. 0 is exact.
+    pub(crate) fn read<const N: usize>(x: Mp<N>, largest: Radius) -> Self {
+        let mid = Mp::rounded(x);
+        if mid.is_zero() {
+            return Self::exact(mid);
+        }
+        let own = largest.times(Radius::power_of_two(6 - i64::from(x.bits())));
+        let rounding = if mid.bits() < x.bits() {
+            Radius::above(mid).times(Radius::power_of_two(-i64::from(mid.bits())))
+        } else {
+            Radius::ZERO
+        };
+        Self::new(mid, own.plus(rounding))
+    }
+
     /// The midpoint.
     #[must_use]
     pub(crate) const fn mid(&self) -> Mp<LIMBS> {

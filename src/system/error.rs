@@ -101,6 +101,18 @@ pub enum Error {
         /// The time.
         time: Number,
     },
+    /// A motion whose proof stops short: at the greatest number of bits a sign is still not certain.
+    #[error("{name} at time {time}: {reason}, even at {bits} bits")]
+    Unproved {
+        /// The element, or the system.
+        name: String,
+        /// The time.
+        time: Number,
+        /// What is not certain.
+        reason: &'static str,
+        /// The bits of the last trial.
+        bits: u32,
+    },
     /// More events or steps than any answer is worth.
     #[error("the motion must take ≤ {limit} steps, which end at time {time}")]
     TooLong {

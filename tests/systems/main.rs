@@ -27,6 +27,8 @@ mod massless;
 mod one_body;
 #[cfg(feature = "mp")]
 mod precise;
+#[cfg(feature = "mp")]
+mod proved;
 mod random;
 mod rate;
 mod references;

@@ -59,6 +59,7 @@ Examples:
   stickslip system machine.toml
   stickslip system machine.toml steady
   stickslip system machine.toml simulate --until 5s --format json
+  stickslip system machine.toml simulate --until 5s --enclose
   stickslip system machine.toml record quake.at2
   stickslip system machine.toml curve --frequency 1Hz:10Hz:100 --set bearing.friction=600N
   stickslip system machine.toml spectrum quake1.at2 quake2.at2 --set bearing.friction=300N:600N:7 --out grid.csv
@@ -135,7 +136,12 @@ pub(crate) struct SystemArgs {
     /// text or json, csv or json for --samples, csv, jsonl or json for a grid [default: text, and csv for rows]
     #[arg(long, value_enum, hide_possible_values = true)]
     pub(crate) format: Option<Format>,
-    /// Bits of precision, with steady, simulate, record, curve and border (needs a build with the feature mp)
+    /// Guaranteed digits of the motion, with simulate: each event proved, and each number with a bound of its error, for the
+    /// numbers of the file as typed (needs a build with the feature mp)
+    #[arg(long)]
+    pub(crate) enclose: bool,
+    /// Bits of precision, with steady, simulate, record, curve and border (needs a build with the feature mp) [default: 53 (f64), with
+    /// --enclose 64]
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = super::bits)]
     pub(crate) bits: Option<u32>,
     #[command(flatten)]

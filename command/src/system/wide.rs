@@ -26,12 +26,7 @@ use stickslip_front::system::{Answer, Described, Grid, NamedSystem, OfBorder, Wi
 
 /// A question with its file, in numbers of at least so many bits.
 pub(super) fn run(value: &Value, args: &SystemArgs, bits: u32, out: &mut impl Write) -> Outcome {
-    let without = |name: &str, is_given: bool| {
-        if is_given { Err(Failure::Input(format!("{name}: must be left out beside --bits"))) } else { Ok(()) }
-    };
-    without("--picture", args.picture.is_some())?;
-    without("--resolve", args.resolve)?;
-    without("--law-tolerance", args.law_tolerance.is_some())?;
+    without_others("--bits", args)?;
     if is_table(args) && !args.records.is_empty() {
         return Err(format!("--bits {bits}: must be left out of a grid under records").into());
     }
@@ -41,6 +36,20 @@ pub(super) fn run(value: &Value, args: &SystemArgs, bits: u32, out: &mut impl Wr
         }
         answer(value, args, out)
     })
+}
+
+/// Refuses what only doubles have, beside an option.
+pub(super) fn without_others(option: &str, args: &SystemArgs) -> Outcome {
+    let without = |name: &str, is_given: bool| {
+        if is_given {
+            Err(Failure::Input(format!("{name}: must be left out beside {option}")))
+        } else {
+            Ok(())
+        }
+    };
+    without("--picture", args.picture.is_some())?;
+    without("--resolve", args.resolve)?;
+    without("--law-tolerance", args.law_tolerance.is_some())
 }
 
 /// The cells of a row of a grid.

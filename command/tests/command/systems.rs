@@ -3,6 +3,8 @@
 #[cfg(feature = "mp")]
 mod digits;
 mod drives;
+#[cfg(feature = "mp")]
+mod enclosed;
 mod joints;
 mod many;
 mod pictures;

@@ -8,6 +8,7 @@ use crate::text::Folder;
 use serde_json::Value;
 use std::ops::ControlFlow;
 use std::path::Path;
+use stickslip::enclosed::Enclosure;
 use stickslip::float::Widest;
 use stickslip::motion::record::{Body, Record};
 use stickslip::system::{Border, Cycle, Error, Motion, State, Steady};
@@ -79,6 +80,16 @@ impl WideSystem {
     /// As [`System::simulate`](stickslip::system::System::simulate).
     pub fn simulate(&self, until: Widest) -> Result<Motion<Widest>, Error> {
         self.0.system.simulate(&self.0.described.start, until)
+    }
+
+    /// The motion from the start of the file until a time, enclosed, as sharp as so many bits: its start and the motion.
+    ///
+    /// # Errors
+    /// As [`System::enclosed`](stickslip::system::System::enclosed).
+    pub fn enclosed(&self, until: Widest, bits: u32) -> Result<(State<Enclosure>, Motion<Enclosure>), Error> {
+        let start = &self.0.described.start;
+        let found = self.0.system.enclosed(start, until, bits)?;
+        Ok((start.map(&|x| Enclosure::read(*x, bits)), found))
     }
 
     /// As [`NamedSystem::steady`].

@@ -97,17 +97,9 @@ impl<const W: usize> Number for Ball<W> {
     }
 }
 
-/// A number of the input as a ball: all numbers within 64 units in its last place, which is more than reading and
-/// converting it can have rounded. 0 is exact.
+/// A number of the input as a ball.
 fn known<const N: usize, const W: usize>(x: Mp<N>) -> Ball<W> {
-    let mid = Mp::<W>::rounded(x);
-    let own = Radius::above(x).times(Radius::power_of_two(6 - i64::from(x.bits())));
-    let rounding = if mid.bits() < x.bits() {
-        Radius::above(mid).times(Radius::power_of_two(-i64::from(mid.bits())))
-    } else {
-        Radius::ZERO
-    };
-    Ball::new(mid, own.plus(rounding))
+    Ball::read(x, Radius::above(x))
 }
 
 /// What a record does after a sample.
