@@ -5,3 +5,6 @@ pub const PERIODS: u32 = 2000;
 
 /// The most answers that the peaks of one coordinate of a system ask for.
 pub const MOST_ADDED: usize = 500;
+
+/// The most of them that may have no periodic motion or rest: those take longest, and tell nothing of a peak.
+pub const MOST_SCATTERED: usize = 4;

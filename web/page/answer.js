@@ -26,6 +26,15 @@ const valueOf = (row) => (row?.physical ? row.physical.value : row?.value) ?? nu
 
 const readableValue = (row) => (row.physical ? readable(row.physical.value, row.physical.unit) : typeof row.value === "number" ? `${four(row.value)}${row.unit && row.unit !== "1" ? ` ${row.unit}` : ""}` : valueText(row)[0]);
 
+// A sentence with four digits of each number; all of them stay at hand.
+function sentence(id, text) {
+  $(id).textContent = fourIn(text);
+  $(id).title = text;
+}
+
+// The line at the bottom of a phone, of the machine that is seen.
+const bar = (own, text) => tab === own && ($("bar-text").textContent = text);
+
 function entry(list, name, text, all) {
   const [term, value] = [document.createElement("dt"), document.createElement("dd")];
   term.textContent = name;
@@ -79,18 +88,15 @@ function showAnswer(answer) {
   const { steady } = answer;
   const isMany = answer.static_friction_ratio > 1;
   const isPlain = answer.is_free || answer.is_frictionless;
-  const verdict = verdictOf(answer);
-  $("verdict").textContent = fourIn(verdict);
-  $("verdict").title = verdict;
+  sentence("verdict", verdictOf(answer));
   const origin = isPlain || !steady.origin || steady.origin === "One periodic motion, from every start." ? "" : steady.origin;
-  $("notes").textContent = [...answer.notes, origin].join(" ").trim();
+  sentence("notes", [...answer.notes, origin].join(" ").trim());
   const list = $("key");
   list.replaceChildren();
   const natural = answer.machine?.find((own) => own.name === "period");
   if (natural && isPlain) entry(list, "natural period", readable(natural.value, natural.unit), `${natural.value} ${natural.unit}`);
-  if (isPlain && !answer.is_free) entry(list, "frequency ratio Ω", four(answer.omega), String(answer.omega));
-  if (!isPlain && answer.is_without_spring) entry(list, "force ratio α", four(answer.alpha), String(answer.alpha));
-  else if (!isPlain) entry(list, "frequency ratio Ω, force ratio α", `${four(answer.omega)}, ${four(answer.alpha)}`, `${answer.omega}, ${answer.alpha}`);
+  if (!answer.is_free && !answer.is_without_spring) entry(list, "Ω, frequency / natural frequency", four(answer.omega), String(answer.omega));
+  if (!isPlain) entry(list, "α, force / friction", four(answer.alpha), String(answer.alpha));
   const rows = steady.values || answer.values;
   const row = (name) => rows.find((own) => own.name === name);
   const [most, least] = [row("max_displacement"), row("min_displacement")];
@@ -121,7 +127,7 @@ function showAnswer(answer) {
     entry(list, name, size ? readable(border.value * size.value, size.unit) : `${four(border.value)} r_y`, `${border.value} r_y`);
     if (answer.six_reversals) entry(list, "six reversals, no stop", `${answer.six_reversals.map(four).join(" to ")} r_y`, answer.six_reversals.join(" to "));
   }
-  $("bar-text").textContent = `${placeWords(answer.place)}${size ? ` · ${size}` : ""}`;
+  bar("one", `${placeWords(answer.place)}${size ? ` · ${size}` : ""}`);
   $("map-here").textContent = isPlain || answer.is_without_spring ? "" : `The point: Ω = ${four(answer.omega)}, α = ${four(answer.alpha)}: ${placeWords(answer.place).toLowerCase()}.`;
   if ($("all").parentElement.open) showAll();
   $("command").textContent = commandLine();
@@ -130,12 +136,11 @@ function showAnswer(answer) {
 
 // A body without a spring that a constant force moves on: the answer of a system of this one body.
 function showDrift(answer) {
-  $("verdict").textContent = fourIn(answer.verdict);
-  $("verdict").title = answer.verdict;
-  $("notes").textContent = answer.notes.join(" ");
+  sentence("verdict", answer.verdict);
+  sentence("notes", answer.notes.join(" "));
   $("key").replaceChildren();
   showMotionOf($("key"), answer.drift);
-  $("bar-text").textContent = fourIn(answer.verdict.replace(/:.*/s, ""));
+  bar("one", fourIn(answer.verdict.replace(/:.*/s, "")));
   $("map-here").textContent = "";
   if ($("all").parentElement.open) showAll();
   $("command").textContent = commandLine();

@@ -258,8 +258,8 @@ function failed(error) {
   stale(isFailed);
   if (!isFailed) return;
   for (const id of ["key", "all"]) $(id).replaceChildren();
-  for (const id of ["verdict", "notes", "bar-text", "map-here"]) $(id).textContent = "";
-  $("bar-text").textContent = error;
+  for (const id of ["verdict", "notes", "map-here"]) $(id).textContent = "";
+  bar("one", error);
   $("limits-section").hidden = true;
   shown.answer = undefined;
   still.asked = "";

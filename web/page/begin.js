@@ -13,7 +13,6 @@ function show(name) {
     $(`tab-${own}`).setAttribute("aria-selected", String(own === name));
     $(`tab-${own}`).tabIndex = own === name ? 0 : -1;
   }
-  $("bar").hidden = name !== "one";
   if (name === "two") {
     changedSystem();
     placeSystem(0);
@@ -79,7 +78,7 @@ addEventListener("keydown", (event) => {
   $(event.shiftKey ? "redo" : "undo").click();
 });
 
-$("bar").onclick = () => $("verdict").scrollIntoView();
+$("bar").onclick = () => $(tab === "one" ? "verdict" : "system-verdict").scrollIntoView();
 
 // ---- links
 
@@ -213,11 +212,13 @@ addEventListener("resize", () => {
 });
 let printed = null;
 addEventListener("beforeprint", () => {
+  isOnPaper = true;
   printed = document.documentElement.dataset.theme;
   document.documentElement.dataset.theme = "light";
   drawAll();
 });
 addEventListener("afterprint", () => {
+  isOnPaper = false;
   document.documentElement.dataset.theme = printed;
   drawAll();
 });

@@ -73,6 +73,10 @@ function range(values, room = 0.06) {
   return [low - more, high + more];
 }
 
+// Charts on paper have one width, which its style scales, whatever the width of the screen.
+let isOnPaper = false;
+const widthOf = (host) => (!isOnPaper ? host.clientWidth : host.parentElement.className === "pair" ? 345 : 700);
+
 class Chart {
   constructor(host, { title, label, height = 240, left = 70 }) {
     this.host = host;
@@ -142,7 +146,7 @@ class Chart {
 
   // Begins a picture with its axes.
   begin({ x, y, xlabel, ylabel, xlog = false, ylog = false, legend = [] }) {
-    const width = Math.max(200, this.host.clientWidth);
+    const width = Math.max(200, widthOf(this.host));
     const { left } = this;
     // A legend stands above the frame, where it covers nothing, in as many lines as it needs.
     const places = this.arrange(legend, width - left - 14);

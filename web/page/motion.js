@@ -92,10 +92,12 @@ function withRests(chart, xs, ys, rest) {
 // The dot that plays along a line.
 function cursor(chart, xs, ys) {
   chart.cursor = chart.add("circle", { class: "cursor", r: 5, fill: chart.ink.here });
+  const { cursor, x, y } = chart;
   chart.put = (i) => {
-    chart.cursor.setAttribute("cx", chart.x(xs[i]));
-    chart.cursor.setAttribute("cy", chart.y(ys[i]));
+    cursor.setAttribute("cx", x(xs[i]));
+    cursor.setAttribute("cy", y(ys[i]));
   };
+  return chart.put;
 }
 
 $("from-start").onchange = () => changed();

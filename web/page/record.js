@@ -99,7 +99,7 @@ function askRecord() {
     $("record-error").textContent = error ?? "";
     if (error !== undefined) forget();
     $("record-shown").classList.remove("stale");
-    $("record-read").textContent = ok ? `${ok.read} ${ok.follows}${ok.read.startsWith("Record (columns") ? ` Columns are separated by ${record.sign}.` : ""}${ok.unused.length ? ` Columns not used: ${ok.unused.join(", ")}.` : ""}` : "";
+    sentence("record-read", ok ? `${ok.read} ${ok.follows}${ok.read.startsWith("Record (columns") ? ` Columns are separated by ${record.sign}.` : ""}${ok.unused.length ? ` Columns not used: ${ok.unused.join(", ")}.` : ""}` : "");
     for (const [id, name] of [["step", "Time step"], ["column", "Column"], ["record-units", "Unit"]]) {
       if (error !== undefined && error.includes(`the field ${name}`)) $(id).setAttribute("aria-invalid", "true");
       else $(id).removeAttribute("aria-invalid");

@@ -200,13 +200,21 @@ function askSystemCurve(text) {
     const modes = [...description.natural_frequencies, ...description.natural_frequencies_stuck, ...loads].filter((x) => x > 0).map((x) => x / (2 * Math.PI));
     const [low, high] = [Math.min(...modes) / 2, Math.max(...modes) * 1.6];
     const even = Array.from({ length: 160 }, (_, i) => low * (high / low) ** (i / 159));
-    const frequencies = [...even, ...modes].sort((a, b) => a - b);
-    slow.ask("system-curve", { ask: "system-curve", text, frequencies }, ({ ok }) => {
-      if (!ok || systemText() !== text) return;
-      showSystemCurve(ok);
-      $("two-curve").classList.remove("stale");
-      fileButtons();
-    });
+    // Every eighth place first, then those between, and the peaks at last: a curve that takes long is seen as it comes. The
+    // worker knows the places that it has answered.
+    const next = (part) => {
+      const frequencies = [...even.filter((_, i) => i % part === 0), ...modes].sort((a, b) => a - b);
+      slow.ask("system-curve", { ask: "system-curve", text, frequencies, resolved: part < 1 }, ({ ok }) => {
+        if (!ok || systemText() !== text) return;
+        $("two-curve").classList.remove("stale");
+        // A file has the whole curve.
+        if (part < 1) shown.systemCurve = ok;
+        showSystemCurve(ok);
+        fileButtons();
+        if (part >= 1) next(part / 2);
+      });
+    };
+    next(8);
   }, 200);
 }
 
@@ -253,13 +261,15 @@ function showMotionOf(list, motion) {
   });
 }
 
+// The greatest displacement of a body in either direction.
+const greatestOf = ({ min_displacement, max_displacement }, i) => Math.max(Math.abs(min_displacement[i]), Math.abs(max_displacement[i]));
+
 function showSystem(found) {
   const { motion, samples } = found;
   const below = found.read ? `${found.read} The pictures have ${samples.time.length} states at equal times, the extremes are those of the whole motion.` : found.border_verdict;
-  for (const [id, text] of [["system-verdict", found.verdict], ["system-border", below]]) {
-    $(id).textContent = fourIn(text);
-    $(id).title = text;
-  }
+  sentence("system-verdict", found.verdict);
+  sentence("system-border", below);
+  bar("two", `${found.verdict.replace(/:.*/s, "")} · ${motion.coordinates.map((name, i) => `${name} ${readable(greatestOf(motion, i), motion.units.displacement)}`).join(", ")}`);
   const list = $("system-values");
   list.replaceChildren();
   const { units } = motion;
@@ -293,6 +303,7 @@ function showSystem(found) {
   const { places, force } = charts;
   places.begin({ x: [samples.time[0], samples.time.at(-1)], y: range(sized.flat()), xlabel: "time (s)", ylabel: `displacement (${to.unit})`, legend: motion.coordinates.map((name, i) => [name, i ? ink.stick : ink.slide, i ? "7 3" : ""]) });
   sized.forEach((list, i) => places.line(samples.time, list, i ? ink.stick : ink.slide, { dash: i ? "7 3" : "" }));
+  twoSketch.dots = sized.map((list) => cursor(places, samples.time, list));
   places.read = (x) => {
     const i = nearest(samples.time, x);
     return { x: samples.time[i], text: `${four(samples.time[i])} s: ${sized.map((list) => four(list[i])).join(", ")} ${to.unit}` };
@@ -306,9 +317,11 @@ function showSystem(found) {
     const forces = fitted(samples.force.map((row) => -row[contact]), unitOfForce());
     force.begin({ x: range(across), y: range(forces.values), xlabel: `displacement across the contact (${to.unit})`, ylabel: `friction (${forces.unit})` });
     force.line(across, forces.values, force.ink.slide);
+    twoSketch.dots.push(cursor(force, across, forces.values));
     force.read = (x, y) => ({ x, text: `${four(x)} ${to.unit}, ${four(y)} ${forces.unit}` });
   }
   twoSketch.most = Math.max(...columns.map(largest));
+  if (!playing) placeSystem(0);
 }
 
 const unitOfForce = () => two.units.split(",")[0].trim();
@@ -322,22 +335,25 @@ function showSystemCurve(found) {
   const to = fitting(Math.max(...all), found.unit);
   const top = Math.max(...all) * 2 * to.factor;
   const low = Math.max(Math.min(...all) * to.factor, top * 1e-4) / 1.3;
-  chart.begin({ x: [found.frequency[0], found.frequency.at(-1)], y: [low, top], xlog: true, ylog: true, xlabel: "frequency of the load (Hz)", ylabel: `peak displacement (${to.unit})`, legend: found.coordinates.map((name, i) => [name, i ? ink.stick : ink.slide, i ? "7 3" : ""]) });
+  // The motion of now.
+  const motion = twoAnswer?.motion;
+  const here = motion?.period > 0 ? motion.coordinates.map((_, i) => greatestOf(motion, i)).filter((x) => x > 0) : [];
+  chart.begin({ x: [found.frequency[0], found.frequency.at(-1)], y: [low, top], xlog: true, ylog: true, xlabel: "frequency of the load (Hz)", ylabel: `peak displacement (${to.unit})`, legend: [...found.coordinates.map((name, i) => [name, i ? ink.stick : ink.slide, i ? "7 3" : ""]), ...(here.length ? [["this load", ink.here, "dot"]] : [])] });
   found.displacement.forEach((list, i) => chart.line(found.frequency, list.map((x) => (x === null ? null : x * to.factor)), i ? ink.stick : ink.slide, { dash: i ? "7 3" : "" }));
+  for (const size of here) chart.dot(motion.periods / motion.period, size * to.factor, ink.here);
   chart.read = (x) => {
     const i = nearest(found.frequency, x);
     const rests = found.rests[i];
     return { x: found.frequency[i], text: `${four(found.frequency[i])} Hz: ${found.displacement.map((list) => readable(list[i], found.unit)).join(", ")}${rests === null ? "" : `, ${rests} ${rests === 1 ? "rest" : "rests"}`}` };
   };
-  shown.systemCurve = found;
 }
 
 // ---- the sketch of the two masses: bodies on wheels or on plates that rub, and what is between them
 
 const twoSketch = (() => {
-  const svg = node("svg", { viewBox: "0 0 560 196", width: "100%", role: "img", "aria-label": "Two masses on a floor, with the springs, dampers, contact, stop and load of the fields" });
+  const svg = node("svg", { viewBox: "0 0 560 200", width: "100%", role: "img", "aria-label": "Two masses on a floor, with the springs, dampers, contact, stop and load of the fields" });
   $("two-body").append(svg);
-  return { svg, most: 0 };
+  return { svg, most: 0, dots: [] };
 })();
 const hasTwo = (name) => Boolean(two[name]?.trim());
 // The load in words: its wave and its constant part.
@@ -364,6 +380,7 @@ function placeSystem(now) {
   const length = twoAnswer?.motion.duration ? 1000 * twoAnswer.motion.duration : 3000;
   const part = samples ? (now % length) / length : 0;
   const i = samples ? Math.round(part * (samples.time.length - 1)) : 0;
+  if (samples) for (const put of twoSketch.dots) put(i);
   const [homes, width, floor, wall] = [[150, 370], 84, 160, 30];
   const pixels = samples && twoSketch.most ? 46 / twoSketch.most : 0;
   const places = homes.map((home, k) => home + (samples ? pixels * samples.displacement[i][k] : 0));
@@ -376,12 +393,12 @@ function placeSystem(now) {
   [["ground", "lower", "k1", "c1"], ["lower", "upper", "k2", "c2"]].forEach(([first, second, k, c]) => {
     const [from, to] = [of[first][1], of[second][0]];
     if (hasTwo(k)) {
-      path(zigzag(from, to, 76));
-      words((from + to) / 2, 65, two[k]);
+      path(zigzag(from, to, 70));
+      words((from + to) / 2, 59, two[k]);
     }
     if (hasTwo(c)) {
-      path(dashpot(from, to, 106));
-      words((from + to) / 2, 92, two[c]);
+      path(dashpot(from, to, 108));
+      words((from + to) / 2, 94, two[c]);
     }
   });
   const isRubbing = hasTwo("friction") && !(isZero(two.friction) && !hasTwo("elastic"));
@@ -402,7 +419,8 @@ function placeSystem(now) {
     } else for (const x of [left + 18, right - 18]) parts.push(node("circle", { cx: x, cy: 154, r: 5, fill: ink.paper, stroke: ink.border, "stroke-width": 2 }));
   });
   if (isRubbing && hasTwo("belt")) {
-    const x = below === "ground" ? of[above][1] + 40 : 480;
+    // A belt is named beside the friction, where there is room.
+    const x = below !== "ground" ? 440 : above === "lower" ? of[above][1] + 40 : of[above][0] - 190;
     path(`M${x} 178h48m-8 -5l8 5l-8 5`, ink.second, { "stroke-width": 2.5 });
     words(x + 56, 182, `belt ${two.belt}`, { "text-anchor": "start" });
   }

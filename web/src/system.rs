@@ -3,10 +3,12 @@
 use crate::asked::Asked;
 use crate::record::load;
 use serde_json::{Map, Value, json};
+use std::cell::{Cell, RefCell};
+use std::collections::BTreeMap;
 use std::path::Path;
-use stickslip_front::curve::SETTLED;
+use stickslip_front::curve::{Origin, SETTLED};
 use stickslip_front::inputs::units::Kind;
-use stickslip_front::limits::MOST_ADDED;
+use stickslip_front::limits::{MOST_ADDED, MOST_SCATTERED};
 use stickslip_front::record::Channel;
 use stickslip_front::system::{
     Answer, Described, Description, Digits, NamedSystem, OfBorder, Samples, border_verdict, digits_sentence,
@@ -44,6 +46,9 @@ fn no_border(system: &NamedSystem, error: &stickslip::system::Error) -> String {
         && model.harmonics.iter().all(|load| load.cos.iter().chain(&load.sin).all(|&x| x == 0.0))
     {
         "There is no load, and no multiple of it keeps the contact from sticking.".to_owned()
+    } else if matches!(error, stickslip::system::Error::Unsupported { .. }) {
+        "No least load without sticking is computed: that takes one rigid contact with one friction force, without a stop or a belt, under one sine wave."
+            .to_owned()
     } else {
         format!("No least load without sticking is computed: {error}.")
     }
@@ -143,34 +148,70 @@ impl Place {
         })
     }
 
+    /// As [`Self::of`], for the system of a text; what was answered for it is kept.
+    fn known(text: &str, system: &NamedSystem, frequency: f64) -> Result<Self, String> {
+        KNOWN.with_borrow_mut(|(of, places)| {
+            if of != text {
+                places.clear();
+                text.clone_into(of);
+            }
+            if let Some(place) = places.get(&frequency.to_bits()) {
+                return Ok(place.clone());
+            }
+            let place = Self::of(system, frequency)?;
+            places.insert(frequency.to_bits(), place.clone());
+            Ok(place)
+        })
+    }
+
+    /// Whether there is neither a periodic motion nor a rest.
+    fn is_scattered(&self) -> bool {
+        !self.kind.is_some_and(|kind| SETTLED.contains(&kind))
+    }
+
     fn size(&self, coordinate: usize) -> Option<f64> {
         self.sizes.get(coordinate).copied()
     }
 
     fn height(&self, coordinate: usize) -> f64 {
-        let is_settled = self.kind.is_some_and(|kind| SETTLED.contains(&kind));
-        self.size(coordinate).filter(|_| is_settled).unwrap_or(f64::NAN)
+        self.size(coordinate).filter(|_| !self.is_scattered()).unwrap_or(f64::NAN)
     }
 }
 
-/// The greatest displacements and the rests of the steady motion over the `frequencies` of the loads in Hz, and over further
-/// ones beside the peaks; null where a frequency has no answer.
+thread_local! {
+    /// The text of a system, and its places by the bits of their frequencies: a curve is asked for in parts, each with those before.
+    static KNOWN: RefCell<(String, BTreeMap<u64, Place>)> = const { RefCell::new((String::new(), BTreeMap::new())) };
+}
+
+/// The greatest displacements and the rests of the steady motion over the `frequencies` of the loads in Hz, and, unless `resolved`
+/// is false, over further ones beside the peaks; null where a frequency has no answer.
 pub(crate) fn curve(asked: &Asked<'_>) -> Result<Value, String> {
     let system = named(asked)?;
+    let text = asked.text("text").unwrap_or_default();
     let coordinates = system.described.coordinates.clone();
     let frequencies = asked.numbers("frequencies");
     let frequencies = frequencies.iter().take(MOST as usize);
-    let mut places =
-        frequencies.map(|&frequency| Place::of(&system, frequency)).collect::<Result<Vec<_>, _>>()?;
-    for coordinate in 0..coordinates.len() {
-        let added = std::cell::Cell::new(0);
+    let mut places = frequencies
+        .map(|&frequency| Place::known(text, &system, frequency))
+        .collect::<Result<Vec<_>, _>>()?;
+    let is_resolved = asked.0.get("resolved").and_then(Value::as_bool).unwrap_or(true);
+    let scattered = Cell::new(0);
+    for coordinate in 0..if is_resolved { coordinates.len() } else { 0 } {
+        let added = Cell::new(0);
         let at = |frequency: f64| {
             added.set(added.get() + 1);
-            if added.get() > MOST_ADDED { Ok(Place::none(frequency)) } else { Place::of(&system, frequency) }
+            if added.get() > MOST_ADDED || scattered.get() > MOST_SCATTERED {
+                return Ok(Place::none(frequency));
+            }
+            let place = Place::known(text, &system, frequency)?;
+            scattered.set(scattered.get() + usize::from(place.is_scattered()));
+            Ok::<Place, String>(place)
         };
         let of = |place: &Place| (place.frequency, place.height(coordinate));
         let found = stickslip_front::curve::resolved(&places, true, of, |_| false, at)?;
-        places = found.into_iter().map(|(place, _)| place).collect();
+        // What was not asked for is left out.
+        let is_there = |(place, origin): &(Place, Origin)| *origin == Origin::Given || place.kind.is_some();
+        places = found.into_iter().filter(is_there).map(|(place, _)| place).collect();
     }
     let unit = system.described.units.map_or_else(String::new, |units| units.name(Kind::Length));
     let column = |coordinate| places.iter().map(|place| place.size(coordinate)).collect::<Vec<_>>();

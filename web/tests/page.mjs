@@ -65,6 +65,7 @@ test("the module gives the same bytes in Chromium and in Node", async () => {
 test("typing changes the answer, and wrong input is named", async () => {
   const page = await opened();
   assert.match(await verdict(page), /^Non-sticking: the body never stops\. The force is 1\.564775 times/);
+  assert.match(await page.textContent("#key"), /^Ω, frequency \/ natural frequency1\.405α, force \/ friction2\.4peak/);
   await page.fill("#in-force", "6");
   await answered(page, "Sticking: the body stops in each cycle.");
   await answered(page, "2 stops in a cycle");
@@ -724,6 +725,12 @@ test("a page that plays is printed in the light theme, and shows its own again",
       return [document.documentElement.dataset.theme, [...document.querySelectorAll(texts)].every((own) => !own.textContent || [text, paper].includes(own.getAttribute("fill")))];
     }, [texts, event]);
     assert.deepEqual(await look("beforeprint"), ["light", true]);
+    // Charts have the width of paper, and nothing of the hidden machine is printed.
+    const widths = await page.evaluate(() => [...document.querySelectorAll(".chart svg[width]")].filter((svg) => svg.getClientRects().length).map((svg) => Number(svg.getAttribute("width"))));
+    assert.ok(widths.length > 1 && widths.every((width) => width === 700 || width === 345), String(widths));
+    await page.emulateMedia({ media: "print" });
+    assert.deepEqual(await page.evaluate(() => ["one", "two"].map((id) => getComputedStyle($(id)).display)), link ? ["none", "block"] : ["block", "none"]);
+    await page.emulateMedia({ media: null });
     assert.deepEqual(await look("afterprint"), ["dark", true]);
     await closed(page);
   }
@@ -767,8 +774,19 @@ test("each example has an answer, and two masses have theirs", async () => {
   assert.match(await page.textContent("#system-values"), /-6\.057 mm to 6\.057 mm/);
   for (const button of await page.locator("#system-presets button").all()) {
     await button.click();
-    await page.waitForFunction(() => twoAnswer && !document.getElementById("system-shown").hidden);
+    await page.waitForFunction(() => twoAnswer?.text === systemText() && !document.getElementById("system-shown").hidden);
     assert.equal(await page.textContent("#system-error"), "");
+    // No text of the sketch is cut at its edges, and none covers another.
+    const faults = await page.evaluate(() => {
+      play(false);
+      placeSystem(0);
+      const { width, height } = twoSketch.svg.viewBox.baseVal;
+      const boxes = [...twoSketch.svg.querySelectorAll("text")].map((own) => [own.textContent, own.getBBox()]);
+      const isCut = (box) => box.x < 0 || box.y < 0 || box.x + box.width > width || box.y + box.height > height;
+      const meet = (a, b) => a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height - 2 && b.y < a.y + a.height - 2;
+      return [...boxes.filter(([, box]) => isCut(box)).map(([text]) => text), ...boxes.flatMap(([first, a], i) => boxes.slice(i + 1).filter(([, b]) => meet(a, b)).map(([second]) => `${first} / ${second}`))];
+    });
+    assert.deepEqual(faults, [], await button.textContent());
   }
   await page.fill("#two-gap", "-1 km/h");
   await page.waitForFunction(() => /gap/.test(document.getElementById("system-error").textContent));
@@ -877,7 +895,8 @@ test("phones and wide screens show it without sideways scrolling", async () => {
           // Verdict, sketch and map are on the first screen.
           for (const id of ["verdict", "body", "map"]) assert.ok(await page.evaluate((id) => document.getElementById(id).getBoundingClientRect().bottom <= innerHeight, id), id);
         }
-        if (name === "phone" && !link) assert.ok(await page.locator("#bar").isVisible());
+        if (name === "phone") assert.match(await page.textContent("#bar"), link ? /^Periodic · lower 6\.057 mm, upper 3\.432 mm$/ : /^Never stops · 9\.528 mm$/);
+        assert.equal(await page.locator("#bar").isVisible(), name === "phone");
         if (process.env.SCREENSHOTS) await page.screenshot({ path: join(process.env.SCREENSHOTS, `${name}${dark ? "-dark" : ""}${link ? "-two" : ""}.png`), fullPage: name !== "wide" });
         await closed(page);
       }
@@ -1030,7 +1049,8 @@ test("no choice is cut, and a phone has the inputs below the sketch", async () =
         const edges = await page.evaluate(() => [...document.querySelectorAll("header button, #presets-row button, #system-presets-row button")].filter((own) => own.offsetParent).map((own) => own.getBoundingClientRect()).map(({ left, right }) => [left, right]));
         for (const [left, right] of edges) assert.ok(left >= 0 && right <= width, `${left} ${right}`);
         assert.equal(await page.evaluate(() => new Set([...document.querySelectorAll("header h1, .actions button")].filter((own) => own.offsetParent).map((own) => Math.round((own.getBoundingClientRect().top + own.getBoundingClientRect().bottom) / 20))).size), 1);
-        if (!link) assert.ok(await page.evaluate(() => document.getElementById("machine").getBoundingClientRect().top < 0.75 * innerHeight));
+        const top = await page.evaluate(() => [...document.querySelectorAll("form")].find((form) => form.offsetParent).getBoundingClientRect().top / innerHeight);
+        assert.ok(top < 0.75, `${link} ${top}`);
       }
       await closed(page);
     }
@@ -1154,6 +1174,18 @@ test("long work says what it computes, is stopped, and is begun anew", async () 
   assert.equal(await page.textContent("#system-error"), "Stopped.");
   await page.click("#stop");
   await page.waitForFunction(() => !$("system-shown").hidden && /^Periodic/.test($("system-verdict").textContent) && twoAnswer.text === systemText());
+  await closed(page);
+});
+
+test("a curve of two masses is drawn in parts, and its file is the whole", async () => {
+  const page = await opened("#system=1&gap=1+mm&load=lower&frequency=4+Hz");
+  await page.waitForFunction(() => $("two-curve").querySelector("path[clip-path]") && !$("two-curve").classList.contains("stale"));
+  assert.deepEqual(await page.evaluate(() => [shown.systemCurve, document.querySelector("[aria-label='two-masses-curve as CSV']").disabled]), [undefined, true]);
+  // The motion of now is marked on the curve, and plays on its lines.
+  assert.equal(await page.locator("#two-curve circle[cx]").count(), 3);
+  assert.equal(await page.locator("#two-motion circle.cursor[cx]").count(), 2);
+  await page.waitForFunction(() => shown.systemCurve?.frequency.length >= 160);
+  assert.ok(await page.locator("[aria-label='two-masses-curve as CSV']").isEnabled());
   await closed(page);
 });
 

@@ -141,6 +141,23 @@ test("a curve of two masses is that of the command", () => {
   });
 });
 
+test("a curve that is asked for in parts is that which is asked for at once", async () => {
+  const text = systemText({ units: "N,mm", m1: "1 t", m2: "500 kg", k1: "200 N/mm", k2: "300 N/mm", c1: "0.3 N*s/mm", c2: "", contact: "ground,lower", friction: "450 N", stop: "lower,upper", gap: "", load: "upper", amplitude: "1.5 kN", frequency: "3 Hz" });
+  const frequencies = Array.from({ length: 33 }, (_, i) => 1 + i / 8);
+  const whole = { ask: "system-curve", text, frequencies };
+  const at = (list) => ({ ...whole, frequencies: list, resolved: false });
+  const coarse = ask(at(frequencies.filter((_, i) => i % 8 === 0)));
+  assert.equal(coarse.frequency.length, 5);
+  // Another system in between leaves nothing behind.
+  const other = ask({ ...at([3]), text: text.replace("450 N", "500 N") });
+  assert.notEqual(other.displacement[0][0], ask(at([3])).displacement[0][0]);
+  ask(at(frequencies));
+  const fresh = (await asker())(whole);
+  assert.deepEqual(ask(whole), fresh);
+  assert.ok(fresh.frequency.length > frequencies.length);
+  for (const [i, frequency] of coarse.frequency.entries()) assert.equal(coarse.displacement[1][i], fresh.displacement[1][fresh.frequency.indexOf(frequency)]);
+});
+
 test("what is wrong with two masses is said by name", () => {
   const of = (change) => () => ask({ ask: "system", text: systemText({ units: "N,mm", m1: "1 t", m2: "1 t", k1: "1 N/mm", k2: "1 N/mm", c1: "", c2: "", contact: "ground,lower", friction: "1 N", elastic: "", peak: "", gap: "", stop: "lower,upper", stop_stiffness: "", load: "upper", amplitude: "2 N", frequency: "1 Hz", ...change }) });
   assert.throws(of({ m1: "-1 t" }), /masses\.lower -1 t: must be ≥ 0/);

@@ -11,7 +11,7 @@ use stickslip::system::{Element, Motion, State};
 use stickslip_draw::{Axis, Figure, Panel, Series, Style};
 use stickslip_front::curve::SETTLED;
 use stickslip_front::inputs::units::Kind as Of;
-use stickslip_front::limits::MOST_ADDED;
+use stickslip_front::limits::{MOST_ADDED, MOST_SCATTERED};
 use stickslip_front::system::{Cell, Described, Grid, NamedSystem, kind_of};
 
 /// The samples of a motion between which a picture draws straight lines.
@@ -149,8 +149,6 @@ fn height(answer: &[Cell<'_>], ends: [Option<usize>; 2]) -> f64 {
 
 /// The most answers that the peaks of all coordinates ask for.
 const MOST_OF_ALL: usize = 3000;
-/// The most of them that may have no periodic motion or rest: those take longest, and tell nothing of a peak.
-const MOST_SCATTERED: usize = 4;
 
 /// A place on the axis, with its answer.
 pub(super) type Placed = (f64, Vec<Cell<'static>>);
