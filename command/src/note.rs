@@ -138,14 +138,15 @@ fn mass<F: Value>(mass: F, system: &System) -> String {
     if own == unit { read } else { format!("{read:<22} = {} {own}", digits(mass)) }
 }
 
-/// An unbalance in a unit for a reader, likewise.
+/// An unbalance in a unit for a reader, likewise: in kg·m, which is t·mm, or in pounds times the system's own length.
 fn unbalance<F: Value>(unbalance: F, system: &System) -> String {
-    let ((unit, factor), own) = (system.mass_for_reading(), system.name(Kind::Unbalance));
-    if system.mass().is_some() {
-        return with_unit(unbalance, &own);
+    let ((mut unit, mut factor), own) = (system.for_reading(Kind::Unbalance), system.name(Kind::Unbalance));
+    if own == unit && system.mass().is_none() {
+        let (mass, of) = system.mass_for_reading();
+        (unit, factor) = (format!("{mass}·{}", system.length()), of);
     }
-    let read = format!("{} {unit}·{}", digits(factor.times(unbalance)), system.length());
-    format!("{read:<22} = {} {own}", digits(unbalance))
+    let read = format!("{} {unit}", digits(factor.times(unbalance)));
+    if system.mass().is_some() { read } else { format!("{read:<22} = {} {own}", digits(unbalance)) }
 }
 
 /// The shift of the motion by a mean force and by friction that differs by direction.

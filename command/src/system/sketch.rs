@@ -2,7 +2,7 @@
 //! between them. A chain runs from left to right, or upwards where it would be too wide.
 
 use crate::bits::digits;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use stickslip::system::{Element, Kind, Law, Signal};
 use stickslip_front::inputs::units::Kind as Of;
@@ -177,28 +177,52 @@ fn escaped(text: &str) -> String {
     printable(text).replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
-/// The column of each body: the number of connections to the ground, or the first column without one.
+/// The column of each body: its number of connections to a body of the first column, which the ground carries.
+///
+/// Of bodies that are joined to each other only one stands there, so that a chain whose bodies all rub on the ground is drawn as
+/// one; those behind it have a ground of their own.
 fn columns(count: usize, links: &[Link]) -> Vec<usize> {
-    let mut column = vec![usize::MAX; count];
-    for round in 0..count {
-        let mut next = column.clone();
-        for link in links {
-            let depth = |end: Option<usize>| match end {
-                None => Some(0),
-                Some(i) => column.get(i).filter(|depth| **depth <= round).copied(),
-            };
-            for (from, to) in [(link.ends[0], link.ends[1]), (link.ends[1], link.ends[0])] {
-                if let (Some(depth), Some(place)) = (depth(from), to.and_then(|to| next.get_mut(to))) {
-                    *place = (*place).min(depth + 1);
-                }
+    let joins = |link: &Link, i: usize| match link.ends {
+        [Some(a), Some(b)] if a == i => Some(b),
+        [Some(a), Some(b)] if b == i => Some(a),
+        _ => None,
+    };
+    let others = |i: usize| links.iter().filter_map(move |link| joins(link, i));
+    let stands = |i: usize, is: fn(Symbol) -> bool| {
+        links
+            .iter()
+            .any(|link| is(link.symbol) && (link.ends == [None, Some(i)] || link.ends == [Some(i), None]))
+    };
+    let mut column = vec![0; count];
+    while let Some(first) = column.iter().position(|depth| *depth == 0) {
+        let mut joined = vec![first];
+        let mut next = 0;
+        while let Some(body) = joined.get(next).copied() {
+            next += 1;
+            let new: BTreeSet<usize> = others(body).filter(|other| !joined.contains(other)).collect();
+            joined.extend(new);
+        }
+        joined.sort_unstable();
+        let of = |is| joined.iter().copied().filter(|i| stands(*i, is)).collect::<Vec<usize>>();
+        let carried = of(|symbol| !matches!(symbol, Symbol::Contact | Symbol::Elastic));
+        let mut roots = if carried.is_empty() { of(|_| true) } else { carried };
+        if roots.is_empty() {
+            roots.push(first);
+        }
+        if roots.iter().any(|root| others(*root).any(|other| roots.contains(&other))) {
+            roots.truncate(1);
+        }
+        let mut depth = 1;
+        while !roots.is_empty() {
+            for root in &roots {
+                column.get_mut(*root).into_iter().for_each(|place| *place = depth);
             }
+            let next: BTreeSet<usize> = roots.iter().flat_map(|root| others(*root)).collect();
+            roots = next.into_iter().filter(|i| column.get(*i) == Some(&0)).collect();
+            depth += 1;
         }
-        if next == column {
-            break;
-        }
-        column = next;
     }
-    column.iter().map(|depth| if *depth == usize::MAX { 1 } else { *depth }).collect()
+    column
 }
 
 /// The width of a text.
@@ -303,6 +327,15 @@ fn draw(svg: &mut String, sizes: &Sizes, symbol: Symbol, (x0, x1, y): (f64, f64,
     let _ = writeln!(svg, r#"<text x="{x:.1}" y="{y:.1}" text-anchor="{anchor}">{text}</text>"#);
 }
 
+/// The ground at the end of a line of a body that stands behind another one.
+fn own_ground(svg: &mut String, sizes: &Sizes, (x, y): (f64, f64)) {
+    sizes.polyline(svg, &[(x, y - 10.0), (x, y + 10.0)], "");
+    for i in 0..3 {
+        let end = y - 7.0 + 7.0 * f64::from(i);
+        sizes.polyline(svg, &[(x, end), (x - 6.0, end + 6.0)], "");
+    }
+}
+
 /// The height of a title above the drawing.
 const TITLE: f64 = 30.0;
 
@@ -320,7 +353,8 @@ pub(super) fn svg(described: &Described, title: Option<&str>, size: Option<(u32,
     let is_upright = sizes.upright.is_some();
     // A straight line joins neighbouring columns; all other connections run below the bodies.
     let depth = |end: Option<usize>| end.and_then(|i| column.get(i)).copied().unwrap_or(0);
-    let is_straight = |link: &Link| depth(link.ends[0]).abs_diff(depth(link.ends[1])) == 1;
+    let is_straight =
+        |link: &Link| link.ends.contains(&None) || depth(link.ends[0]).abs_diff(depth(link.ends[1])) == 1;
     let mut height = vec![1usize; count];
     let (mut left, mut right) = (vec![0usize; count], vec![0usize; count]);
     for link in links.iter().filter(|link| is_straight(link)) {
@@ -365,7 +399,14 @@ pub(super) fn svg(described: &Described, title: Option<&str>, size: Option<(u32,
         if is_straight(link) {
             let y = port(&mut used_left, b);
             match a {
-                None => draw(&mut svg, &sizes, link.symbol, (MARGIN + 12.0, x(b), y), &link.text),
+                None => {
+                    let is_first = depth(Some(b)) == 1;
+                    let from = if is_first { MARGIN + 12.0 } else { x(b) - sizes.column + body + 34.0 };
+                    if !is_first {
+                        own_ground(&mut svg, &sizes, (from, y));
+                    }
+                    draw(&mut svg, &sizes, link.symbol, (from, x(b), y), &link.text);
+                }
                 Some(a) => {
                     let from = port(&mut used_right, a);
                     let bend = x(a) + body + 24.0;
@@ -380,7 +421,8 @@ pub(super) fn svg(described: &Described, title: Option<&str>, size: Option<(u32,
             top.get(i).copied().unwrap_or(0.0) + line * (height.get(i).copied().unwrap_or(1) as f64 + 0.6)
         };
         let (from, to) = (a.map_or(MARGIN + 12.0, |a| x(a) + body / 3.0), x(b) + body * 2.0 / 3.0);
-        let to = if (to - from).abs() < 160.0 { from + 180.0 } else { to };
+        let end = sizes.way(deepest) - MARGIN / 2.0;
+        let to = if (to - from).abs() < 160.0 { (from + 180.0).min(end) } else { to };
         let start = a.map_or(under, bottom);
         sizes.polyline(&mut svg, &[(from, start), (from, under)], "");
         let end = (x(b) + body * 2.0 / 3.0, bottom(b));
@@ -395,7 +437,11 @@ pub(super) fn svg(described: &Described, title: Option<&str>, size: Option<(u32,
         let y = if is_upright { y - body } else { y };
         let mass = described.model.mass.get(i).and_then(|row| row.get(i)).copied().unwrap_or(0.0);
         let is_moved = described.model.moved.iter().any(|moved| moved.coordinate == i);
-        let text = if is_moved { "moved".to_owned() } else { quantity(described, mass, Of::Mass) };
+        let text = if is_moved {
+            "moved".to_owned()
+        } else {
+            described.typed_mass(i).map_or_else(|| quantity(described, mass, Of::Mass), str::to_owned)
+        };
         let load = loads(described, i);
         // A load takes a third line, after an arrow to both sides.
         let (up, line) = if load.is_empty() { (3.0, 16.0) } else { (9.0, 14.0) };

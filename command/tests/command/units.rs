@@ -407,12 +407,21 @@ fn a_pendulum_far_from_its_middle_is_said() {
 
 /// An unbalance in US units is a mass times a length, and not lbf·s² beside lb.
 #[test]
-fn an_unbalance_is_read_in_pounds_and_inches() {
+fn an_unbalance_is_read_in_pounds_and_inches_or_in_kilogram_metres() {
     let text = stdout(
         "response --mass 100lb --stiffness 500lb/in --friction 20lb --unbalance 50lb*in --frequency 700rpm --units \
          lbf,in",
     );
     assert!(text.contains("unbalance m_e e          50 lb·in               = 0.129504 lbf·s²"), "{text}");
+    // With metric units it is in kg·m.
+    let machine =
+        "response --mass 12kg --stiffness 140N/mm --friction 25N --unbalance 0.02kg*m --frequency 25Hz";
+    for (units, due) in
+        [("N,mm", "0.02 kg·m\n"), ("N,m", "0.02 kg·m\n"), ("kN,mm", "0.02 kg·m              = 2e-5 kN·s²")]
+    {
+        let text = stdout(&format!("{machine} --units {units}"));
+        assert!(text.contains(&format!("unbalance m_e e          {due}")), "{units}: {text}");
+    }
 }
 
 /// A friction of 0 is a linear oscillator, and a simulation with a drive of 0 a free vibration.

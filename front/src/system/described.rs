@@ -42,6 +42,8 @@ pub struct Described<F = f64> {
     pub(super) laws: Vec<Curved>,
     /// The places of the coordinates that are chosen for answers; `None` are all.
     pub(super) shown: Option<Vec<usize>>,
+    /// The masses of bodies as they are typed, where they have a unit of their own.
+    pub(super) typed_masses: Vec<Option<String>>,
 }
 
 impl<F: Number> Described<F> {
@@ -52,6 +54,12 @@ impl<F: Number> Described<F> {
         let names =
             elements.iter().map(|element| &element.name).chain(levels.iter().map(|level| &level.name));
         names.map(String::as_str).nth(element).unwrap_or("")
+    }
+
+    /// The mass of a body as it is typed, where it has a unit of its own.
+    #[must_use]
+    pub fn typed_mass(&self, body: usize) -> Option<&str> {
+        self.typed_masses.get(body)?.as_deref()
     }
 
     /// The law of an element in words, where it is a curve.

@@ -236,7 +236,9 @@ fn by_matrices<F: Number>(
     let coordinates = coordinates(fields, n, &model.elements)?;
     fields.end()?;
     let inertia = model.mass.iter().map(|row| -row.iter().fold(zero, |sum, &x| sum + x)).collect();
-    Described { model, coordinates, units, start, inertia, base: None, laws, shown: None }.checked()
+    let typed_masses = Vec::new();
+    Described { model, coordinates, units, start, inertia, base: None, laws, shown: None, typed_masses }
+        .checked()
 }
 
 /// The names of the coordinates of matrices, q1, q2 and so on by default. Answers and elements are told apart by them.

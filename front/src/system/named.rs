@@ -10,7 +10,7 @@ use super::node::{Fields, Node, Number, check_name, nearest};
 use super::signals::{NEEDS, add as plus, slopes_of};
 use super::smooth::second_derivative;
 use super::spring;
-use crate::inputs::units::{Kind as Of, System as Units};
+use crate::inputs::units::{Kind as Of, Reader, System as Units};
 use crate::text::Folder;
 use serde_json::Value;
 use stickslip::system::{Base, Element, Kind, Law, Level, Model, Moved, MovedBy, Normal, Signal, State};
@@ -63,6 +63,7 @@ pub(super) fn described<F: Number>(
         start: State::rest(n),
         laws: Vec::new(),
     };
+    let mut typed_masses = vec![None; n];
     for (i, (name, node)) in bodies.iter().enumerate() {
         check_name(name).map_err(|must| format!("masses.{name}: {must}"))?;
         if *name == GROUND {
@@ -94,6 +95,9 @@ pub(super) fn described<F: Number>(
             return Err(mass.wrong("must be ≥ 0"));
         }
         add(&mut builder.model.mass, i, i, value);
+        if let (Value::String(text), Some(typed)) = (mass.value(), typed_masses.get_mut(i)) {
+            *typed = Reader::has_unit(text).then(|| text.trim().to_owned());
+        }
     }
     for node in springs {
         builder.spring(&node.fields()?)?;
@@ -127,7 +131,8 @@ pub(super) fn described<F: Number>(
     }
     let inertia = builder.inertia();
     let Builder { model, names: coordinates, base, start, laws, .. } = builder;
-    Described { model, coordinates, units: Some(units), start, inertia, base, laws, shown: None }.checked()
+    let units = Some(units);
+    Described { model, coordinates, units, start, inertia, base, laws, shown: None, typed_masses }.checked()
 }
 
 fn add<F: Number>(matrix: &mut [Vec<F>], i: usize, j: usize, value: F) {

@@ -90,13 +90,78 @@ fn a_tower_is_drawn_upwards_with_each_storey() {
         assert!(middle - half(&name) > x && middle + half(&name) < x + wide && *at > y && *at < y + high);
         let brace = format!("brace with a long name {}: 40 kN/mm, {} kN", i + 1, 20 + 3 * i);
         assert!(texts.iter().any(|text| text.2 == brace && text.0 + half(&brace) < width), "{brace}");
-        // Masses are in a unit that has a name.
-        let mass = format!("{} kg", 1000 * (20 + i));
+        // Masses are as they are typed.
+        let mass = format!("{} t", 20 + i);
         assert!(texts.iter().any(|text| text.2 == mass && text.1 > y && text.1 < y + high), "{mass}");
     }
     // The base moves, and the loads of that are its own.
     let of = |words: &str| texts.iter().filter(|text| text.2.contains(words)).count();
     assert_eq!((of("ground, moves: 1961.33 mm/s² at 1 Hz"), of(" at 1 Hz")), (1, 1));
+}
+
+/// Twenty blocks in a row, each of which rubs on the ground and on the one before.
+fn row(count: usize) -> String {
+    let name = |i: usize| if i == 0 { "ground".to_owned() } else { format!("block{i}") };
+    let masses: String = (1..=count).map(|i| format!("{} = \"2 kg\"\n", name(i))).collect();
+    let parts: String = (1..=count)
+        .map(|i| {
+            let (before, own) = (name(i - 1), name(i));
+            format!(
+                "[[springs]]\nbetween = [\"{before}\", \"{own}\"]\nstiffness = \"20 N/mm\"\n\
+                 [[contacts]]\nname = \"floor{i}\"\nbetween = [\"ground\", \"{own}\"]\nfriction = \"5 N\"\n\
+                 [[contacts]]\nname = \"side{i}\"\nbetween = [\"{before}\", \"{own}\"]\nfriction = \"3 N\"\n"
+            )
+        })
+        .collect();
+    format!("units = \"N,mm\"\n[masses]\n{masses}{parts}")
+}
+
+/// Each line is within the frame, and none goes through a body.
+#[test]
+fn forty_contacts_are_drawn_apart_from_each_other_and_from_bodies() {
+    let folder = place("drawings-of-rows");
+    std::fs::create_dir(&*folder).unwrap();
+    for (count, width) in [(3, 1600.0), (20, 1300.0)] {
+        let (file, drawing) = (folder.join("row.toml"), folder.join(format!("row{count}.svg")));
+        std::fs::write(&file, row(count)).unwrap();
+        stdout(&format!("system {} --picture {}", file.display(), drawing.display()));
+        let svg = std::fs::read_to_string(&drawing).unwrap();
+        let texts = texts(&svg);
+        no_text_meets_another(&texts);
+        for i in 1..=count {
+            for due in [format!("floor{i}: 5 N"), format!("side{i}: 3 N")] {
+                assert_eq!(texts.iter().filter(|text| text.2 == due).count(), 1, "{due}");
+            }
+        }
+        let part = |tag: &str, name: &str| -> String {
+            tag.split_once(&format!(" {name}=\"")).unwrap().1.split_once('"').unwrap().0.to_owned()
+        };
+        let size = ["width", "height"].map(|name| part(&svg, name).parse::<f64>().unwrap());
+        assert!(size[0] < width, "{count}: {}", size[0]);
+        let boxes: Vec<[f64; 4]> = svg
+            .split("<rect")
+            .filter(|tag| tag.contains("#dde7f2"))
+            .map(|tag| ["x", "y", "width", "height"].map(|name| part(tag, name).parse().unwrap()))
+            .collect();
+        assert_eq!(boxes.len(), count);
+        for tag in svg.split("<polyline").skip(1) {
+            let points: Vec<[f64; 2]> = part(tag, "points")
+                .split(' ')
+                .map(|point| point.split_once(',').unwrap())
+                .map(|(x, y)| [x.parse().unwrap(), y.parse().unwrap()])
+                .collect();
+            for pair in points.windows(2) {
+                for place in (0..=50).map(|i| f64::from(i) / 50.0) {
+                    let at = [0, 1].map(|axis| pair[0][axis] + place * (pair[1][axis] - pair[0][axis]));
+                    assert!(at.iter().zip(&size).all(|(x, most)| *x >= 0.0 && x <= most), "{count}: {at:?}");
+                    let is_inside = |[x, y, wide, high]: &[f64; 4]| {
+                        at[0] > x + 1.0 && at[0] < x + wide - 1.0 && at[1] > y + 1.0 && at[1] < y + high - 1.0
+                    };
+                    assert!(!boxes.iter().any(is_inside), "{count}: {at:?}");
+                }
+            }
+        }
+    }
 }
 
 #[test]
@@ -178,8 +243,8 @@ damping = "4 N*s/mm"
         "roof",
         "mast",
         "1 t",
-        "0.5 t",
-        "0.02 t",
+        "500 kg",
+        "20 kg",
         "200 N/mm",
         "0.3 N·s/mm",
         "300 N/mm",
