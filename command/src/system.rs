@@ -138,11 +138,7 @@ fn drawn(args: &SystemArgs, figure: impl FnOnce() -> Result<Figure, Failure>) ->
 fn describe(asked: &NamedSystem, args: &SystemArgs, out: &mut impl Write) -> Outcome {
     if let Some(file) = &args.picture {
         let target = Target::new("--picture", Some(file), args.overwrite, &args.look)?;
-        target.write_svg(|title, size| {
-            sketch::svg(&asked.described, title, size).ok_or_else(|| {
-                Failure::Input(format!("--picture {}: shows at most {} bodies", file.display(), sketch::MOST))
-            })
-        })?;
+        target.write_svg(|title, size| Ok(sketch::svg(&asked.described, title, size)))?;
     }
     words::describe(asked, args, out)
 }

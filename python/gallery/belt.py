@@ -9,7 +9,10 @@ block = (
     ss.System(units="N,mm")
     .mass("block", "2 kg", start="1 mm")
     .spring("ground", "block", "0.8 N/mm")
-    .contact("ground", "block", law=[["0 mm/s", "10 N"], ["100 mm/s", "6 N"]], peak=1.2, moves={"velocity": "40 mm/s"}, name="belt")
+    .contact(
+        "ground", "block", name="belt", moves={"velocity": "40 mm/s"}, peak=1.2,
+        law=[["0 mm/s", "10 N"], ["100 mm/s", "6 N"]],
+    )
 )
 motion = block.simulate("3 s")
 states, steady = motion.states(2000), block.steady()

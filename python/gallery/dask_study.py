@@ -13,7 +13,8 @@ quake = ss.Record(0.3 * np.exp(-(((t - 6) / 3) ** 2)) * np.sin(6 * t) * np.cos(t
 def block(seed):
     random = np.random.default_rng(seed)
     period, friction = random.uniform(1, 4, 1000), random.uniform(0.02, 0.12, 1000)
-    return period, friction, ss.spectrum(quake, period=period, friction_coefficient=friction, damping_ratio=0.05).max_displacement
+    found = ss.spectrum(quake, period=period, friction_coefficient=friction, damping_ratio=0.05)
+    return period, friction, found.max_displacement
 
 
 found = dask.compute(*[dask.delayed(block)(seed) for seed in range(8)], scheduler="threads")

@@ -14,7 +14,8 @@ measured = peaks * (1 + 0.01 * np.random.default_rng(2).standard_normal(peaks.si
 found = ss.identify_decay(measured, every="cycle")
 low, high = found.damping_ratio.interval
 assert low < 0.02 < high
-again = machine.replace(friction=found.friction_displacement.value * machine.stiffness, damping_ratio=found.damping_ratio.value)
+friction = found.friction_displacement.value * machine.stiffness
+again = machine.replace(friction=friction, damping_ratio=found.damping_ratio.value)
 axes = plt.figure(layout="constrained").gca()
 axes.plot(motion.time, x, color="0.7", label="motion")
 fitted = again.motion(rest, displacement=f"{measured[0]} mm", interval=0.002)

@@ -7,10 +7,12 @@ import xarray as xr
 
 import stickslip as ss
 
-hertz = xr.DataArray(np.linspace(0.3, 3, 120), dims="frequency", coords={"frequency": np.linspace(0.3, 3, 120)}, attrs={"units": "Hz"})
+numbers = np.linspace(0.3, 3, 120)
+hertz = xr.DataArray(numbers, dims="frequency", coords={"frequency": numbers}, attrs={"units": "Hz"})
 pads = xr.DataArray([0.02, 0.05, 0.08], dims="pad", coords={"pad": ["PTFE", "worn", "dusty"]})
 isolator = ss.Machine(mass="800 kg", period="2.2 s", friction_coefficient=pads, damping_ratio="3%", units="N,mm")
-data = isolator.steady(ss.Drive(base_acceleration="0.1 g", frequency=hertz, units="N,mm"), outputs=["max_displacement"]).to_xarray()
+drive = ss.Drive(base_acceleration="0.1 g", frequency=hertz, units="N,mm")
+data = isolator.steady(drive, outputs=["max_displacement"]).to_xarray()
 axes = plt.figure(layout="constrained").gca()
 data["max_displacement"].plot.line(x="frequency", ax=axes)
 axes.set(yscale="log", xlabel="frequency (Hz)", ylabel=f"peak displacement ({data['max_displacement'].attrs['units']})")

@@ -12,4 +12,5 @@ axes = plt.figure(layout="constrained").gca()
 lines = axes.contourf(hertz, friction[:, 0], found.transmissibility, levels=np.linspace(0, 2, 21), extend="max")
 axes.figure.colorbar(lines, label="transmissibility")
 axes.set(yscale="log", xlabel="frequency (Hz)", ylabel="coefficient of friction")
-assert found.transmissibility[-1, -1] > 5 * found.transmissibility[0, -1]  # above resonance friction spoils the isolation
+# Above resonance friction spoils the isolation.
+assert found.transmissibility[-1, -1] > 5 * found.transmissibility[0, -1]

@@ -10,7 +10,8 @@ period = np.linspace(0.5, 4, 40)
 
 
 def earthquake():
-    waves = sum(np.sin(2 * np.pi * f * t + p) / f**0.5 for f, p in zip(random.uniform(0.3, 6, 30), random.uniform(0, 2 * np.pi, 30)))
+    parts = zip(random.uniform(0.3, 6, 30), random.uniform(0, 2 * np.pi, 30))
+    waves = sum(np.sin(2 * np.pi * f * t + p) / f**0.5 for f, p in parts)
     shape = waves * (t / 4) ** 2 * np.exp(-(((t - 4) / 4) ** 2))
     return ss.Record(0.4 * shape / np.abs(shape).max(), time_step=0.01, unit="g")
 
@@ -18,7 +19,8 @@ def earthquake():
 suite = [earthquake() for _ in range(12)]
 axes = plt.figure(layout="constrained").gca()
 for mu, colour in ((0.03, "tab:blue"), (0.1, "tab:orange")):
-    each = np.array([ss.spectrum(record, period=period, friction_coefficient=mu, damping_ratio=0.02).max_displacement for record in suite])
+    body = {"period": period, "friction_coefficient": mu, "damping_ratio": 0.02}
+    each = np.array([ss.spectrum(record, **body).max_displacement for record in suite])
     low, middle, high = np.quantile(each * 1e3, (0.16, 0.5, 0.84), axis=0)
     axes.plot(period, middle, color=colour, label=f"µ = {mu:g}")
     axes.fill_between(period, low, high, color=colour, alpha=0.25)

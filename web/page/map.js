@@ -21,6 +21,7 @@ function askMap() {
   const isPlain = answer.is_free || answer.is_frictionless;
   $("map-section").hidden = isPlain && !embedded;
   for (const part of document.querySelectorAll("#map-section > :not(h2, #map-note)")) part.hidden = answer.is_without_spring;
+  $("map-section").classList.toggle("bare", Boolean(answer.is_without_spring));
   if (answer.is_without_spring) {
     mapOf = "";
     $("map-note").textContent = "Without a spring there is no natural frequency and no Ω: this map does not exist.";

@@ -184,6 +184,7 @@ const sketch = (() => {
     rub.textContent = isMachine ? `friction ${inRole(base[2]) === "friction" ? "" : "µ = "}${typed(base[2])}` : "friction r_y";
     const drive = isMachine ? typed(DRIVES) : "p₀ sin ω_d t";
     force.textContent = isMachine ? `${{ force: "force", unbalance: "unbalance" }[inRole(DRIVES)] || ""} ${support ? "" : drive}`.trim() : drive;
+    if (isMachine && parts(state.mean_force)?.[0]) force.textContent += `${force.textContent && " + "}${state.mean_force.trim()} constant`;
     moved.textContent = support ? `${support.moves === "base" ? "floor" : "wall"} moves: ${drive}` : "";
     // A round length of at most 100 pixels.
     const unit = 100 / (pixels || 1);

@@ -23,8 +23,8 @@ const ARROW: f64 = 24.0;
 const WIDE: f64 = 1600.0;
 /// The width of a letter.
 const LETTER: f64 = 7.2;
-/// The most bodies that a drawing shows.
-pub(super) const MOST: usize = 40;
+/// The most bodies that a drawing shows: the chosen ones, or the first ones; it says of how many.
+const MOST: usize = 40;
 
 /// The symbol of a connection.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -244,12 +244,12 @@ struct Sizes {
 }
 
 impl Sizes {
-    fn of(described: &Described, links: &[Link], deepest: f64) -> Self {
+    fn of(described: &Described, shown: &[usize], links: &[Link], deepest: f64) -> Self {
         let longest = |widths: &mut dyn Iterator<Item = f64>| widths.fold(0.0f64, f64::max);
         let link = longest(&mut links.iter().map(|link| width(&link.text)));
         // Names are bold.
-        let names = described.coordinates.iter().map(|name| 1.1 * width(name));
-        let loads = (0..described.coordinates.len()).map(|i| width(&loads(described, i)) + 2.0 * ARROW);
+        let names = shown.iter().filter_map(|i| described.coordinates.get(*i)).map(|name| 1.1 * width(name));
+        let loads = shown.iter().map(|i| width(&loads(described, *i)) + 2.0 * ARROW);
         let body = longest(&mut names.chain(loads)) + 16.0;
         let wide = body.max(BODY);
         let level = Self { column: wide + GAP.max(link + 60.0), body: wide, line: LINE, upright: None };
@@ -339,16 +339,20 @@ fn own_ground(svg: &mut String, sizes: &Sizes, (x, y): (f64, f64)) {
 /// The height of a title above the drawing.
 const TITLE: f64 = 30.0;
 
-/// The drawing, with a title and of a width and a height in pixels if they are given; `None` for more bodies than it shows.
-pub(super) fn svg(described: &Described, title: Option<&str>, size: Option<(u32, u32)>) -> Option<String> {
-    let count = described.coordinates.len();
-    if count > MOST {
-        return None;
-    }
-    let links = links(described);
+/// The drawing, with a title and of a width and a height in pixels if they are given.
+pub(super) fn svg(described: &Described, title: Option<&str>, size: Option<(u32, u32)>) -> String {
+    let shown: Vec<usize> = described.places().take(MOST).collect();
+    let count = shown.len();
+    // What joins a body to one that is not shown is left out.
+    let end_of = |end: Option<usize>| match end {
+        None => Some(None),
+        Some(body) => shown.iter().position(|own| *own == body).map(Some),
+    };
+    let seen = |link: Link| Some(Link { ends: [end_of(link.ends[0])?, end_of(link.ends[1])?], ..link });
+    let links: Vec<Link> = links(described).into_iter().filter_map(seen).collect();
     let column = columns(count, &links);
     let deepest = column.iter().copied().max().unwrap_or(1) as f64;
-    let sizes = Sizes::of(described, &links, deepest);
+    let sizes = Sizes::of(described, &shown, &links, deepest);
     let Sizes { body, line, .. } = sizes;
     let is_upright = sizes.upright.is_some();
     // A straight line joins neighbouring columns; all other connections run below the bodies.
@@ -429,20 +433,21 @@ pub(super) fn svg(described: &Described, title: Option<&str>, size: Option<(u32,
         sizes.polyline(&mut svg, &[(to, under), (to, end.1 + 8.0), end], "");
         draw(&mut svg, &sizes, link.symbol, (from, to, under), &link.text);
     }
-    for (i, name) in described.coordinates.iter().enumerate() {
+    let bodies = shown.iter().filter_map(|body| Some((*body, described.coordinates.get(*body)?)));
+    for (i, (body_at, name)) in bodies.enumerate() {
         let across = top.get(i).copied().unwrap_or(0.0) + line * 0.4;
         let size = line * (height.get(i).copied().unwrap_or(1) as f64 + 0.2);
         let (wide, high) = if is_upright { (size, body) } else { (body, size) };
         let (x, y) = sizes.at((x(i), across));
         let y = if is_upright { y - body } else { y };
-        let mass = described.model.mass.get(i).and_then(|row| row.get(i)).copied().unwrap_or(0.0);
-        let is_moved = described.model.moved.iter().any(|moved| moved.coordinate == i);
+        let mass = described.model.mass.get(body_at).and_then(|row| row.get(body_at)).copied().unwrap_or(0.0);
+        let is_moved = described.model.moved.iter().any(|moved| moved.coordinate == body_at);
         let text = if is_moved {
             "moved".to_owned()
         } else {
-            described.typed_mass(i).map_or_else(|| quantity(described, mass, Of::Mass), str::to_owned)
+            described.typed_mass(body_at).map_or_else(|| quantity(described, mass, Of::Mass), str::to_owned)
         };
-        let load = loads(described, i);
+        let load = loads(described, body_at);
         // A load takes a third line, after an arrow to both sides.
         let (up, line) = if load.is_empty() { (3.0, 16.0) } else { (9.0, 14.0) };
         let (middle, first) = (x + wide / 2.0, y + high / 2.0 - up);
@@ -467,6 +472,10 @@ pub(super) fn svg(described: &Described, title: Option<&str>, size: Option<(u32,
                 escaped(&load)
             );
         }
+    }
+    let all = described.coordinates.len();
+    if count < all {
+        let _ = writeln!(svg, r#"<text x="{:.1}" y="14">{count} of {all} bodies</text>"#, MARGIN / 2.0);
     }
     // A text beside the last line has its room.
     let across = under + if is_upright && under > most { line } else { MARGIN };
@@ -497,7 +506,7 @@ pub(super) fn svg(described: &Described, title: Option<&str>, size: Option<(u32,
     let [a, b] = [MARGIN / 2.0, across - MARGIN].map(|across| sizes.at((MARGIN + 12.0, across)));
     let _ = write!(ground, "M{:.1},{:.1}L{:.1},{:.1}", a.0, a.1, b.0, b.1);
     let named = if is_upright { (width / 2.0, height - MARGIN / 2.0) } else { (MARGIN / 2.0, b.1 + 18.0) };
-    Some(format!(
+    format!(
         r#"<svg xmlns="http://www.w3.org/2000/svg" width="{wide:.0}" height="{high:.0}" viewBox="{view}" font-family="sans-serif" font-size="12">
 <rect x="{2:.1}" y="{3:.1}" width="{4:.1}" height="{5:.1}" fill="white"/>
 <path d="{ground}" stroke="black" fill="none"/>
@@ -512,5 +521,5 @@ pub(super) fn svg(described: &Described, title: Option<&str>, size: Option<(u32,
         seen.1,
         if is_upright { "middle" } else { "start" },
         escaped(&ground_in_words(described)),
-    ))
+    )
 }

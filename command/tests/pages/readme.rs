@@ -88,6 +88,23 @@ fn commands_can_be_read() {
     }
 }
 
+/// Lines of code fit 120 letters, too.
+#[test]
+fn code_can_be_read() {
+    for (page, text) in crate::book_pages::all() {
+        for (kind, block) in blocks(&text) {
+            let is_code = |line: &&str| match kind.as_str() {
+                "pycon" => line.starts_with(">>> ") || line.starts_with("... "),
+                "console" | "math" | "text" => false,
+                _ => true,
+            };
+            for line in block.lines().filter(is_code) {
+                assert!(line.chars().count() <= 120, "{page}: {line}");
+            }
+        }
+    }
+}
+
 /// The page of questions has its commands in tables, and the files that they read in its one block.
 #[test]
 fn every_question_has_an_answer() {

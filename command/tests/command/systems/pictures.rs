@@ -164,6 +164,29 @@ fn forty_contacts_are_drawn_apart_from_each_other_and_from_bodies() {
     }
 }
 
+/// Of many bodies the first forty are drawn, or the chosen ones, with what joins them, and it says of how many.
+#[test]
+fn a_drawing_of_many_bodies_shows_some_of_them() {
+    let folder = place("drawings-of-many");
+    std::fs::create_dir(&*folder).unwrap();
+    let (file, drawing) = (folder.join("row.toml"), folder.join("row.svg"));
+    std::fs::write(&file, row(45)).unwrap();
+    for (choice, count, last, floors) in
+        [("", 40, "block40", 40), (" --coordinates block2,block3,block45", 3, "block45", 3)]
+    {
+        let picture = format!("--picture {} --overwrite", drawing.display());
+        stdout(&format!("system {} {picture}{choice}", file.display()));
+        let svg = std::fs::read_to_string(&drawing).unwrap();
+        let texts = texts(&svg);
+        no_text_meets_another(&texts);
+        let of = |words: &str| texts.iter().filter(|text| text.2.contains(words)).count();
+        assert_eq!((svg.matches("#dde7f2").count(), of("floor")), (count, floors));
+        assert_eq!((of(&format!("{count} of 45 bodies")), of(last)), (1, 1));
+        // block1 joins the second to the ground where it is shown, and the contact of two neighbours is drawn.
+        assert_eq!((of("side1: "), of("side3: "), of("side45: ")), (usize::from(count == 40), 1, 0));
+    }
+}
+
 #[test]
 fn a_drawing_shows_the_loads_of_each_body_within_it() {
     let folder = place("drawings-of-loads");
