@@ -82,7 +82,7 @@ function showMotion(found) {
 }
 
 // What the thick line means, where there is one.
-const restLegend = (rest) => (rest.some(Boolean) ? [["slides", palette().slide], ["at rest", palette().stick, "thick"]] : []);
+const restLegend = (rest, words = "at rest") => (rest.some(Boolean) ? [["slides", palette().slide], [words, palette().stick, "thick"]] : []);
 
 function withRests(chart, xs, ys, rest) {
   chart.line(xs, ys, chart.ink.slide);

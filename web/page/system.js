@@ -315,13 +315,27 @@ function showSystem(found) {
     const ends = two.contact.split(",").map((name) => motion.coordinates.indexOf(name));
     const across = samples.time.map((_, i) => ends.map((end) => (end < 0 ? 0 : sized[end][i]))).map(([a, b]) => b - a);
     const forces = fitted(samples.force.map((row) => -row[contact]), unitOfForce());
-    force.begin({ x: range(across), y: range(forces.values), xlabel: `displacement across the contact (${to.unit})`, ylabel: `friction (${forces.unit})` });
-    force.line(across, forces.values, force.ink.slide);
+    const element = motion.elements[contact];
+    const rest = restsOf(element, motion.events, samples.time);
+    force.begin({ x: range(across), y: range(forces.values), xlabel: `displacement across the contact (${to.unit})`, ylabel: `friction (${forces.unit})`, legend: restLegend(rest, element.kind === "elastic" ? "holds" : "sticks") });
+    withRests(force, across, forces.values, rest);
     twoSketch.dots.push(cursor(force, across, forces.values));
     force.read = (x, y) => ({ x, text: `${four(x)} ${to.unit}, ${four(y)} ${forces.unit}` });
   }
   twoSketch.most = Math.max(...columns.map(largest));
   if (!playing) placeSystem(0);
+}
+
+// Whether a contact is at rest at each of the times: from an event that begins a rest to one that ends it.
+function restsOf({ name, time_at_rest }, events, times) {
+  const turns = events.filter((event) => event.name === name && /^(stick|lock|slip|yield)$/.test(event.kind));
+  const begins = ({ kind }) => kind === "stick" || kind === "lock";
+  if (!turns.length) return times.map(() => time_at_rest > 0);
+  let [next, isAtRest] = [0, !begins(turns[0])];
+  return times.map((time) => {
+    while (next < turns.length && turns[next].time <= time) isAtRest = begins(turns[next++]);
+    return isAtRest;
+  });
 }
 
 const unitOfForce = () => two.units.split(",")[0].trim();

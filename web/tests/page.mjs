@@ -1190,6 +1190,23 @@ test("a curve of two masses is drawn in parts, and its file is the whole", async
   await closed(page);
 });
 
+test("the loop of a contact shows where it sticks or holds, for the part of the period that the answer has", async () => {
+  const page = await opened("#system=1");
+  for (const [i, words] of [[0, null], [1, "holds"], [2, "sticks"], [3, "sticks"], [4, "sticks"]]) {
+    await page.locator("#system-presets button").nth(i).click();
+    await page.waitForFunction(() => twoAnswer?.text === systemText() && !$("system-shown").classList.contains("stale"));
+    const found = await page.evaluate(() => {
+      const { motion, samples } = twoAnswer;
+      const [element] = motion.elements;
+      const rest = restsOf(element, motion.events, samples.time).slice(1);
+      return { texts: [...$("two-force").querySelectorAll("text")].map((own) => own.textContent), share: rest.filter(Boolean).length / rest.length, due: element.time_at_rest / motion.period, step: 1 / rest.length, stops: Math.max(1, element.stops) };
+    });
+    assert.equal(found.texts.includes(words ?? "sticks"), words !== null, `${i}: ${found.texts}`);
+    assert.ok(Math.abs(found.share - found.due) <= found.step * found.stops, JSON.stringify(found));
+  }
+  await closed(page);
+});
+
 test("the sketch of two masses has what their fields have", async () => {
   const page = await opened("#system=1");
   await page.waitForFunction(() => twoAnswer?.samples);

@@ -1,5 +1,5 @@
 //! A drawing of a system, as SVG text: bodies by their distance from the ground, and the springs, dampers, contacts and stops
-//! between them. A chain runs from left to right, or upwards where it would be too wide.
+//! between them. A chain runs from left to right, or upwards where it would be too wide or stands on a base that moves.
 
 use crate::bits::digits;
 use std::collections::{BTreeMap, BTreeSet};
@@ -253,7 +253,8 @@ impl Sizes {
         let body = longest(&mut names.chain(loads)) + 16.0;
         let wide = body.max(BODY);
         let level = Self { column: wide + GAP.max(link + 60.0), body: wide, line: LINE, upright: None };
-        if level.way(deepest) <= WIDE {
+        // On a base that moves bodies stand on each other.
+        if level.way(deepest) <= WIDE && (described.base.is_none() || deepest < 2.0) {
             return level;
         }
         // The texts stand beside the lines.

@@ -211,6 +211,11 @@ acceleration = { amplitude = "0.1 g", frequency = "2 Hz" }
     for due in ["70 N, constant", "1500 N at 3 Hz, 5 N at 7 Hz", "ground, moves: 980.665 mm/s² at 2 Hz"] {
         assert_eq!(texts.iter().filter(|text| text.2 == due).count(), 1, "{due}: {texts:?}");
     }
+    // On a base that moves the roof stands above the block.
+    let height = |name: &str| texts.iter().find(|text| text.2 == name).unwrap().1;
+    assert!(
+        height("roof") < height("block") && height("block") < height("ground, moves: 980.665 mm/s² at 2 Hz")
+    );
     // An arrow to both sides beside each load.
     assert_eq!(svg.matches("h20m-5,-4l5,4l-5,4").count(), 2);
 }
