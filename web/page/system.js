@@ -195,7 +195,7 @@ function askSystemCurve(text) {
     // A load of another shape is no harmonic, and repeats itself in a part of the period.
     const loads = /^\[base]|^amplitude/m.test(text) && !isZero(two.amplitude) ? [...description.harmonics, ...(two.shape === "sine" || !motion.period ? [] : [(2 * Math.PI * motion.periods) / motion.period])] : [];
     // Without a load there is nothing over its frequency.
-    $("two-curve").hidden = !own || !loads.length;
+    for (const id of ["two-curve", "two-curve-files"]) $(id).hidden = !own || !loads.length;
     if ($("two-curve").hidden) return;
     const modes = [...description.natural_frequencies, ...description.natural_frequencies_stuck, ...loads].filter((x) => x > 0).map((x) => x / (2 * Math.PI));
     const [low, high] = [Math.min(...modes) / 2, Math.max(...modes) * 1.6];

@@ -1202,6 +1202,8 @@ test("the loop of a contact shows where it sticks or holds, for the part of the 
       return { texts: [...$("two-force").querySelectorAll("text")].map((own) => own.textContent), share: rest.filter(Boolean).length / rest.length, due: element.time_at_rest / motion.period, step: 1 / rest.length, stops: Math.max(1, element.stops) };
     });
     assert.equal(found.texts.includes(words ?? "sticks"), words !== null, `${i}: ${found.texts}`);
+    // Without a load there is no curve, and nothing to save of it.
+    await page.waitForFunction((has) => $("two-curve-files").hidden !== has, i < 3);
     assert.ok(Math.abs(found.share - found.due) <= found.step * found.stops, JSON.stringify(found));
   }
   await closed(page);
