@@ -130,8 +130,8 @@ impl<'m> Follower<'m> {
             match event {
                 Some(event) => self.pass(&branch, &flow, step, &event)?,
                 None if is_last => {
-                    let free = (0..machine.free).map(|i| over(&flow.entry(i), end)).collect::<Row>();
-                    let z = joined(&free, &machine.loads(until));
+                    self.advance(&branch.after(machine, step, end));
+                    let z = joined(&self.cloud.hull(), &machine.loads(until));
                     let force = branch.tension.iter().map(|row| dot(row, &z)).collect();
                     return Ok(End { z, force });
                 }
@@ -342,47 +342,34 @@ impl<'m> Follower<'m> {
         let (Some(part), Some(&mode)) = (machine.parts.get(element), modes.get(element)) else {
             return Err(doubt("it is not there"));
         };
+        let is_other = |(i, mode): (usize, &Mode)| (*mode == Mode::Stuck && i != element).then_some(i);
+        let others: Vec<usize> = modes.iter().enumerate().filter_map(is_other).collect();
+        let at_rest = |element, is_lowered| AtRest { element, is_lowered };
+        let mut contacts: Vec<AtRest> = others.into_iter().map(|other| at_rest(other, false)).collect();
         let mut put = |new: Mode| modes.iter_mut().skip(element).take(1).for_each(|mode| *mode = new);
-        let one = |trigger, order| Ok(vec![Fresh { element, trigger, order }]);
-        match (mode, trigger, &part.rule) {
+        let one = |trigger, order| vec![Fresh { element, trigger, order }];
+        let mut fresh = match (mode, trigger, &part.rule) {
             (Mode::Slides { forward, piece }, Trigger::Piece(next), _) => {
                 put(Mode::Slides { forward, piece: next });
                 one(Trigger::Piece(piece), 1)
             }
-            (Mode::Stuck | Mode::Slides { .. }, Trigger::Stops | Trigger::Releases { .. }, _) => {
-                let released = if let Trigger::Releases { forward } = trigger { Some(forward) } else { None };
-                let stuck = |(i, mode): (usize, &Mode)| (*mode == Mode::Stuck && i != element).then_some(i);
-                let others: Vec<usize> = modes.iter().enumerate().filter_map(stuck).collect();
-                let mut contacts: Vec<AtRest> =
-                    others.iter().map(|&element| AtRest { element, is_lowered: false }).collect();
-                let mut fresh = Vec::new();
-                match released {
-                    // It slides on with the force that it had, and its acceleration begins at 0.
-                    Some(forward) if !part.has_peak() => {
-                        modes
-                            .iter_mut()
-                            .skip(element)
-                            .take(1)
-                            .for_each(|mode| *mode = Mode::Slides { forward, piece: 0 });
-                        fresh.push(Fresh { element, trigger: Trigger::Stops, order: 2 });
-                    }
-                    // Its force has passed the static friction, so that only the kinetic one is left.
-                    Some(_) => contacts.push(AtRest { element, is_lowered: true }),
-                    None => contacts.push(AtRest { element, is_lowered: false }),
-                }
-                decide(machine, z, &contacts, modes).map_err(|doubt| failed_at(doubt, instant))?;
-                let slides =
-                    |contact: &AtRest| matches!(modes.get(contact.element), Some(Mode::Slides { .. }));
-                fresh.extend(contacts.iter().filter(|c| slides(c)).map(|contact| Fresh {
-                    element: contact.element,
-                    trigger: Trigger::Stops,
-                    order: 1,
-                }));
-                Ok(fresh)
+            // It slides on with the force that it had, and its acceleration begins at 0.
+            (Mode::Stuck, Trigger::Releases { forward }, _) if !part.has_peak() => {
+                put(Mode::Slides { forward, piece: 0 });
+                one(Trigger::Stops, 2)
+            }
+            // Its force has passed the static friction, so that only the kinetic one is left.
+            (Mode::Stuck, Trigger::Releases { .. }, _) => {
+                contacts.push(at_rest(element, true));
+                Vec::new()
+            }
+            (Mode::Slides { .. }, Trigger::Stops, _) => {
+                contacts.push(at_rest(element, false));
+                Vec::new()
             }
             (Mode::Holds, Trigger::Releases { forward }, _) => {
                 put(Mode::Yields { forward });
-                Ok(Vec::new())
+                Vec::new()
             }
             (Mode::Yields { forward }, Trigger::Stops, _) => {
                 put(Mode::Holds);
@@ -390,15 +377,16 @@ impl<'m> Follower<'m> {
             }
             (Mode::Away, Trigger::Closes, Rule::Stop { damping, .. }) => {
                 put(Mode::Pressed);
-                if is_zero(damping) { one(Trigger::Opens, 1) } else { Ok(Vec::new()) }
+                if is_zero(damping) { one(Trigger::Opens, 1) } else { Vec::new() }
             }
             (Mode::Pressed, Trigger::Opens, Rule::Stop { damping, .. }) => {
                 if is_zero(damping) {
                     put(Mode::Away);
-                    return one(Trigger::Closes, 1);
+                    one(Trigger::Closes, 1)
+                } else {
+                    put(Mode::Lifted);
+                    one(Trigger::Presses, 1)
                 }
-                put(Mode::Lifted);
-                one(Trigger::Presses, 1)
             }
             (Mode::Lifted, Trigger::Clears, _) => {
                 put(Mode::Away);
@@ -421,8 +409,13 @@ impl<'m> Follower<'m> {
                 put(Mode::Slides { forward: v.is_positive(), piece: 0 });
                 one(Trigger::Parts, 1)
             }
-            _ => Err(doubt("its mode has no such end")),
-        }
+            _ => return Err(doubt("its mode has no such end")),
+        };
+        decide(machine, z, &contacts, modes).map_err(|doubt| failed_at(doubt, instant))?;
+        let slides = |contact: &&AtRest| matches!(modes.get(contact.element), Some(Mode::Slides { .. }));
+        let begins = |contact: &AtRest| Fresh { element: contact.element, trigger: Trigger::Stops, order: 1 };
+        fresh.extend(contacts.iter().filter(slides).map(begins));
+        Ok(fresh)
     }
 }
 

@@ -132,16 +132,25 @@ impl Series {
         found
     }
 
-    /// The only zero in a ball over which the series crosses 0: the interval Newton method, on halves where the ball is too wide for it.
+    /// The only zero in a ball over which the series crosses 0: by Newton's method, on halves where the ball is too wide for it, and then by
+    /// certain signs on both sides, because the series may be unknown beyond the ball.
     fn narrowed(&self, within: Number, slope: &Self) -> Number {
+        let sign = |x: Mp<26>| self.at(Number::exact(x)).sign();
         let mut place = within;
         for _ in 0..64 {
-            let found = only_zero(place.mid(), |x| self.at(x), |x| slope.at(x));
-            if let Some(found) = found.filter(|found| found.is_inside(&within)) {
-                return found;
-            }
-            let sign = |x: Mp<26>| self.at(Number::exact(x)).sign();
             let (low, middle, high) = (place.lower(), place.mid(), place.upper());
+            if let Some(found) = only_zero(middle, |x| self.at(x), |x| slope.at(x)) {
+                let around = Number::new(found.mid(), found.rad().scaled(3));
+                let ends = [around.lower(), around.upper()].map(sign);
+                if around.is_inside(&within)
+                    && ends == [within.lower(), within.upper()].map(sign)
+                    && !ends.contains(&None)
+                {
+                    let middle = Number::exact(around.mid());
+                    let next = middle - self.at(middle) / slope.at(around);
+                    return next.intersection(&around).unwrap_or(around);
+                }
+            }
             place = match sign(middle) {
                 Some(Ordering::Equal) | None => break,
                 here if here == sign(low) => Number::between(middle, high),
