@@ -11,8 +11,10 @@ use std::collections::BTreeMap;
 use stickslip::Float as _;
 use stickslip::dependencies::rug::Float;
 use stickslip::enclosed::Enclosure;
-use stickslip::float::Mp;
-use stickslip::system::{Element, Error, Harmonic, Kind, Law, Model, Motion, Normal, Signal, State, System};
+use stickslip::float::{Mp, Widest, with_bits};
+use stickslip::system::{
+    Element, Error, EventKind, Harmonic, Kind, Law, Model, Motion, Normal, Signal, State, System,
+};
 
 type Wide = Mp<8>;
 
@@ -96,6 +98,76 @@ fn published_cases_lie_inside() {
 
 fn system(given: &Model<f64>) -> System<Wide> {
     System::new(&model::<Wide>(given)).expect("valid")
+}
+
+/// A start of which one velocity is known to 122 bits, in a system that is known to 4,000: the motions from both ends of this line lie inside what is
+/// found, and fill 9/10 of it. So events move the set as they move each of its motions.
+#[test]
+fn the_ends_of_a_line_fill_what_is_found() {
+    use EventKind::{Close, Lock, Open, Reverse, Slip, Stick, Yield};
+    let contact = |points: &[(f64, f64)], peak| Kind::Contact {
+        law: Law { points: points.to_vec() },
+        peak,
+        normal: None,
+    };
+    let (first, between) = (vec![1.0, 0.0], vec![-1.0, 1.0]);
+    let start = [0.0, 0.0, 0.6, 0.0];
+    let mut seen = Vec::new();
+    for (kinds, until) in [
+        (vec![(&first, contact(&[(0.0, 1.0)], 1.2))], 6.0),
+        (vec![(&first, contact(&[(0.0, 0.4)], 1.4)), (&between, contact(&[(0.0, 0.1)], 1.0))], 3.0),
+        (vec![(&first, Kind::Elastic { stiffness: 9.0, friction: 0.4, normal: None })], 3.5),
+        (vec![(&first, Kind::Stop { gap: 0.5, stiffness: 9.0, damping: 0.3 })], 3.5),
+    ] {
+        let element = |(i, (direction, kind)): (usize, (&Vec<f64>, Kind<f64>))| Element {
+            name: format!("{i}"),
+            direction: direction.clone(),
+            moves: Signal::constant(0.0),
+            kind,
+        };
+        let given = Model {
+            mass: vec![vec![1.0, 0.0], vec![0.0, 0.75]],
+            damping: vec![vec![0.1, -0.03], vec![-0.03, 0.06]],
+            stiffness: vec![vec![3.0, -1.0], vec![-1.0, 1.5]],
+            elements: kinds.into_iter().enumerate().map(element).collect(),
+            harmonics: vec![Harmonic { frequency: 0.9, sin: vec![1.3, 0.8], cos: vec![0.0, 0.4] }],
+            ..Model::default()
+        };
+        let of = |list: &[f64]| State {
+            displacement: list[..2].to_vec(),
+            velocity: list[2..].to_vec(),
+            ..State::rest(2)
+        };
+        let exact =
+            with_bits(4096, || System::new(&model::<Widest>(&given)).expect("valid")).expect("a precision");
+        let rough = with_bits(128, || state::<Widest>(&of(&start))).expect("a precision");
+        let found = with_bits(4096, || exact.enclosed(&rough, Widest::from_f64(until), 1500));
+        let found = found.expect("a precision").expect("a motion");
+        seen.extend(found.events.iter().map(|event| event.kind));
+        // 64 units in the last of 128 places.
+        let far = Wide::exp2i(-122) * Wide::from_f64(0.99);
+        let ends: Vec<Vec<Wide>> = [far, -far]
+            .into_iter()
+            .map(|by| {
+                let mut begin = state::<Wide>(&of(&start));
+                begin.velocity.iter_mut().for_each(|v| *v = *v + *v * by);
+                let end = system(&given).simulate(&begin, Wide::from_f64(until)).expect("a motion").end;
+                end.displacement.into_iter().chain(end.velocity).collect()
+            })
+            .collect();
+        for (i, x) in found.end.displacement.iter().chain(&found.end.velocity).enumerate() {
+            let offs = || ends.iter().map(|end| Float::from(end[i]) - &x.mid);
+            let most = offs().map(|off| off.abs().to_f64()).fold(0.0, f64::max);
+            let rad = x.rad.to_f64();
+            println!("{i}: {most:e} of {rad:e}");
+            // What sticks has no width.
+            assert!(most <= rad + 1e-120, "{i}: {most:e} beyond {rad:e}");
+            assert!(rad * 0.9 <= most + 1e-120, "{i}: {most:e} in {rad:e}");
+        }
+    }
+    for kind in [Close, Lock, Open, Reverse, Slip, Stick, Yield] {
+        assert!(seen.contains(&kind), "{kind:?}: {seen:?}");
+    }
 }
 
 /// What a motion is found to be.
